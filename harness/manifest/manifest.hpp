@@ -1,0 +1,114 @@
+#pragma once
+
+#include "core/json.hpp"
+#include "manifest/parameter.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace reliefbench {
+
+/// What a technique may promise; the conformance checks (harness/verify) hold it to them.
+enum class Promise {
+    /// Finds the first intersection, to the filter's floor.
+    first_hit,
+    /// On a smooth map the error halves as the sample count doubles, and stays below one step.
+    order_1,
+    /// On a smooth map the error falls by four as the sample count doubles, until the filter's floor.
+    order_2,
+    /// Never reports a point beyond the first hit by more than half a texel.
+    conservative,
+};
+
+std::string to_string(Promise promise);
+
+struct PromiseDeclaration {
+    Promise promise = Promise::first_hit;
+    /// The parameter values under which it holds; parameters not named here keep their defaults.
+    ParameterValues with;
+    /// order_1 only: the parameter that halves the step this many more times (a binary search), or none.
+    std::optional<std::string> halvings;
+};
+
+/// A texture that preparation passes derive from the height map, bound to every shader of the technique under its name.
+struct MapDeclaration {
+    enum class Size {
+        /// Width and height of the height map.
+        height_map,
+        /// Each side rounded up to a power of two, so that every level halves exactly.
+        next_power_of_two,
+    };
+    std::string name;
+    /// "r8", "r16", "r32f", "rg32f", "rgba8", "rgba16", "rgba32f".
+    std::string format;
+    Size size = Size::height_map;
+    /// Down to 1×1 when true, else one level.
+    bool mip_chain = false;
+    /// Hardware filtering between texels; otherwise nearest.
+    bool linear_filter = false;
+};
+
+/// A compute pass of the preparation. Runs once for each level that it covers, in the order of the manifest.
+struct PassDeclaration {
+    enum class Levels { base, above_base };
+    std::string name;
+    /// A file of the technique's folder that defines void prepare(ivec2 texel).
+    std::string shader;
+    /// The map that it writes.
+    std::string writes;
+    Levels levels = Levels::base;
+};
+
+/// How the technique draws.
+struct Shape {
+    enum class Kind {
+        /// The quad of the patch; the technique is one function, trace.glsl.
+        quad,
+        /// A grid of quad patches through tessellation stages: control.tesc and evaluation.tese of the folder.
+        patches,
+    };
+    Kind kind = Kind::quad;
+    /// Kind::patches only: the integer parameter that says how many patches a side has; at 0 there is one patch for
+    /// each `texels_per_patch` texels.
+    std::string patches_parameter;
+    int texels_per_patch = 64;
+};
+
+/// technique.json, read and checked. Pure data. Its schema is told in docs/adding_a_technique.md.
+struct Manifest {
+    /// The folder's name.
+    std::string id;
+    std::string title;
+    /// "texture", "parallax", "march", "hierarchy", "cone", "geometry": for grouping in lists.
+    std::string kind;
+    std::string citation;
+    std::vector<Parameter> parameters;
+    /// The parameter that the axis `sample_count` sets, if any.
+    std::optional<std::string> sample_count;
+    /// The parameter that keeps its default ratio to the sample count when that is swept (an adaptive minimum).
+    std::optional<std::string> sample_count_minimum;
+    /// Device features it needs: "tessellation", ...
+    std::vector<std::string> features;
+    std::vector<MapDeclaration> maps;
+    std::vector<PassDeclaration> passes;
+    Shape shape;
+    std::vector<PromiseDeclaration> promises;
+
+    const Parameter* find_parameter(const std::string& name) const;
+    ParameterValues defaults() const;
+};
+
+/// Strict: unknown keys, wrong types, names that GLSL cannot take, promises with unknown parameters, passes that write
+/// undeclared maps, are Errors that name the file and the JSON path.
+Manifest parse_manifest(const Json& json, const std::string& id, const std::string& file);
+
+/// Reads <folder>/technique.json; the folder's name is the id. Missing shader files are Errors too.
+Manifest load_manifest(const std::filesystem::path& folder);
+
+/// Sets the sample count to `count`, and the adaptive minimum to round(count · its default ratio), at least 1.
+/// The manifest must have a sample count. Ranges are not checked.
+void set_sample_count(const Manifest& manifest, ParameterValues& values, std::int64_t count);
+
+}  // namespace reliefbench

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace reliefbench {
+
+enum class ParameterType { integer, real, boolean, choice };
+
+/// A choice is held as its word. Booleans come first so that no other type converts into them silently.
+using ParameterValue = std::variant<bool, std::int64_t, double, std::string>;
+
+/// A technique's parameter, declared once in technique.json; it drives the CLI, the checks, the documents and the
+/// specialization constant of the same name.
+struct Parameter {
+    std::string name;
+    ParameterType type = ParameterType::integer;
+    ParameterValue default_value;
+    /// Integer and real only, both ends included.
+    double minimum = 0;
+    double maximum = 0;
+    /// Choice only. GLSL sees the index, and a constant <name>_<choice> for each.
+    std::vector<std::string> choices;
+    /// One line.
+    std::string help;
+    /// The value that the cited paper or sample uses, where it says one.
+    std::optional<ParameterValue> published;
+};
+
+/// Values by name. In a cell always complete: every parameter of the technique has one.
+using ParameterValues = std::map<std::string, ParameterValue>;
+
+/// "64", "0.5", "true", "exact": as the CLI and cell ids write it. Reals in the shortest form that reads back equal.
+std::string to_string(const ParameterValue& value);
+
+/// Reads `text` as a value of the parameter's type. Throws Error when it is not of that type (says what is expected);
+/// does not check the range.
+ParameterValue parse_parameter_value(const Parameter& parameter, const std::string& text);
+
+/// Empty when the value is of the right type and in range, else one sentence saying what is wrong and what is allowed.
+std::string check_parameter_value(const Parameter& parameter, const ParameterValue& value);
+
+}  // namespace reliefbench

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "store/cell_result.hpp"
+#include "store/run_folder.hpp"
+#include "sweep/configuration.hpp"
+#include "technique/technique.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace reliefbench {
+
+namespace gpu {
+class Device;
+}
+
+/// What a run tells while it goes on.
+struct Progress {
+    std::size_t cells_done = 0;
+    std::size_t cells_total = 0;
+    /// Cell or stage being worked on.
+    std::string current;
+    double elapsed_s = 0;
+    /// Estimated from the share of work done; negative while unknown.
+    double remaining_s = -1;
+};
+
+/// Where the wall time went, for the line at the end of a run.
+struct TimeSplit {
+    double total_s = 0;
+    /// Inside GPU timestamps of counted samples.
+    double samples_s = 0;
+    double truth_s = 0;
+};
+
+struct RunOutcome {
+    std::vector<CellResult> cells;
+    TimeSplit split;
+};
+
+/// Measures every cell, block by block: truths once per view, compile, prepare, probe (errors and work), warm up,
+/// sample in rounds, then append the block's cells to the run's folder and free its truths and pipelines. What fails
+/// is a cell's failure; an Error of the store (a full disk) ends the run.
+RunOutcome run_cells(const gpu::Device& device, const TechniqueLibrary& library, const Configuration& configuration,
+                     const std::vector<Cell>& cells, RunWriter& writer,
+                     const std::function<void(const Progress&)>& on_progress);
+
+}  // namespace reliefbench

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/statistics.hpp"
+#include "scene/height_map.hpp"
+#include "scene/hit.hpp"
+#include "scene/relief.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace reliefbench {
+
+/// Errors of a technique's hits against the truth's, as docs/architecture.md defines them.
+struct HitErrors {
+    /// Over the pixels of the footprint in which both hit; empty when there is none.
+    std::optional<Summary> uv_texels;
+    /// t − t_truth, positive = too deep: `mean` is signed, every other statistic is of the magnitude.
+    std::optional<Summary> depth;
+    /// Angle between the shading normals, degrees.
+    std::optional<Summary> normal_deg;
+    /// Pixels compared.
+    std::size_t compared = 0;
+    /// Pixels of the footprint F.
+    std::size_t footprint = 0;
+    /// Fractions of F: truth hits and technique does not; technique hits and truth does not. 0 when F is empty.
+    double missed = 0;
+    double false_hits = 0;
+    /// Truth hits outside F (only real geometry can draw them): how many, and the fraction of them that the technique
+    /// covers. `covered` is empty when there are none.
+    std::size_t outside_quad_pixels = 0;
+    std::optional<double> outside_quad_covered;
+    /// Intersection over union of the covered pixels, whole image; 1 when both are empty.
+    double coverage_iou = 1;
+};
+
+HitErrors compare_hits(const HitImage& technique, const HitImage& truth, const Image<std::uint8_t>& footprint,
+                       const HeightMap& map, const Relief& relief);
+
+/// Per pixel, −1 where not both hit: for error maps.
+Image<float> uv_error_map(const HitImage& technique, const HitImage& truth, const HeightMap& map, const Relief& relief);
+
+}  // namespace reliefbench

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "scene/hit.hpp"
+#include "scene/image.hpp"
+
+#include <array>
+#include <optional>
+
+namespace reliefbench {
+
+/// Over the union of both coverages, on sRGB-encoded values in [0, 1].
+struct ImageErrors {
+    /// Root mean square over pixels and channels; empty when nothing is covered.
+    std::optional<double> rmse;
+    /// Decibels, peak 1; empty for identical images (rmse 0) or no coverage.
+    std::optional<double> psnr;
+};
+
+/// Linear RGB images of equal size; `technique_hits` and `truth_hits` give the coverage.
+ImageErrors compare_images(const Image<std::array<float, 3>>& technique, const HitImage& technique_hits,
+                           const Image<std::array<float, 3>>& truth, const HitImage& truth_hits);
+
+}  // namespace reliefbench

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "scene/height_map.hpp"
+#include "scene/relief.hpp"
+
+#include <glm/vec3.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace reliefbench {
+
+/// A hit in double precision, coordinates as in `Hit`.
+struct ExactHit {
+    double u = 0;
+    double v = 0;
+    double h = 0;
+    double t = 0;
+};
+
+/// Double-precision rays against the bilinear surface itself: hierarchical traversal over a maximum mip chain of the
+/// bilinear cells (Tevs et al. 2008), the quadratic ray-patch equation in each cell. No subdivision parameter.
+/// Refers to the height map, which must outlive it. Immutable after construction: any number of threads may trace.
+class ExactTracer {
+public:
+    ExactTracer(const HeightMap& map, const Relief& relief);
+
+    /// The first point where the ray passes from above the sheet to below it. Boundary::clip: the sheet is the unit
+    /// square only, and a ray that enters the slab through its side beneath the sheet hits where it next does so.
+    /// Boundary::repeat: the sheet goes on for ever. Rays that do not descend miss.
+    std::optional<ExactHit> trace(const Ray& ray) const;
+};
+
+}  // namespace reliefbench

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "scene/albedo.hpp"
+#include "scene/height_map.hpp"
+#include "scene/hit.hpp"
+#include "scene/lighting.hpp"
+#include "scene/relief.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace reliefbench {
+
+/// The ground truth of one view.
+struct Truth {
+    /// Row 0 is the top.
+    HitImage hits;
+    /// 1 inside the footprint F (the ray crosses z = 0 inside the unit square), else 0.
+    Image<std::uint8_t> footprint;
+    /// Linear RGB, shaded truth; the background colour where there is no hit.
+    Image<std::array<float, 3>> colour;
+    /// Wall time of tracing and shading.
+    double trace_ms = 0;
+};
+
+/// Boundary::clip traces every pixel (the relief can be seen outside F); Boundary::repeat those in F.
+Truth trace_exact_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting);
+Truth trace_mesh_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting,
+                       int subdivision);
+
+/// Linear RGB of a hit image, shaded as the truth is.
+Image<std::array<float, 3>> shade_hits(const HitImage& hits, const HeightMap& map, const Albedo& albedo,
+                                       const View& view, const Lighting& lighting);
+
+}  // namespace reliefbench

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "scene/image.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace reliefbench {
+
+/// The only place that knows OpenImageIO, so that a build can leave it out.
+
+/// Raw channel values: integers divided by their maximum, floats as they are; unassociated alpha kept, no colour
+/// conversion. Row 0 is the top row of the file.
+struct RasterFile {
+    Resolution size;
+    std::vector<std::string> channel_names;
+    /// size.pixels() × channels, interleaved.
+    std::vector<float> values;
+    /// Bits of the stored number: 8, 16 or 32.
+    int bits = 0;
+
+    int channels() const { return static_cast<int>(channel_names.size()); }
+};
+
+/// An Error names the file and what is wrong with it: missing, unreadable, of no size.
+RasterFile read_raster_file(const std::filesystem::path& path);
+
+/// By extension: `.png` (8 bits, values clamped to [0, 1]) or `.exr` (32-bit float). `bits` is ignored.
+void write_raster_file(const std::filesystem::path& path, const RasterFile& raster);
+
+}  // namespace reliefbench

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "scene/camera.hpp"
+
+#include <glm/vec2.hpp>
+
+#include <optional>
+#include <string>
+
+namespace reliefbench {
+
+enum class Boundary {
+    /// A hit outside the unit square is a miss.
+    clip,
+    /// The relief goes on for ever; results are evaluated inside the footprint only.
+    repeat,
+};
+
+std::string to_string(Boundary boundary);
+
+/// How the height map lies on the patch. Patch: world side 1 in z = 0, centred on the origin,
+/// P(u,v) = (u − ½, v − ½, 0); surface S(u,v) = P(u,v) + (0, 0, (h − 1)·height_scale), h sampled at tiling·(u,v).
+struct Relief {
+    /// H > 0, in units of the patch side.
+    double height_scale = 0.05;
+    /// Texture repeats per patch side, > 0.
+    double tiling = 1;
+    Boundary boundary = Boundary::clip;
+
+    bool operator==(const Relief&) const = default;
+};
+
+/// Everything but the height map that a truth depends on.
+struct View {
+    Camera camera;
+    Relief relief;
+    Resolution resolution{256, 256};
+
+    bool operator==(const View&) const = default;
+};
+
+/// Where the ray crosses z = 0, as patch coordinates, when it does so inside the unit square: the footprint F.
+std::optional<glm::dvec2> footprint_entry(const Ray& ray);
+
+}  // namespace reliefbench

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "store/cell_result.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace reliefbench {
+
+/// One timing as drawn, for samples.jsonl.
+struct RawSamples {
+    std::string cell;
+    std::string pass;
+    int round = 0;
+    /// Position of the visit within its round.
+    int order = 0;
+    int repeats = 1;
+    std::vector<double> ms;
+};
+
+/// Writes a run's folder. Creating it is an Error when the folder cannot be written or already holds a run (run.json).
+/// Every append is one whole line and is flushed; a write that fails (a full disk) is an Error and leaves the file
+/// with whole lines only.
+class RunWriter {
+public:
+    RunWriter(const std::filesystem::path& folder, const Json& run);
+    ~RunWriter();
+    RunWriter(const RunWriter&) = delete;
+    RunWriter& operator=(const RunWriter&) = delete;
+
+    void append_cell(const CellResult& result);
+    void append_samples(const RawSamples& samples);
+    /// images/<cell made fit for a file name><suffix>; makes the folder on first use.
+    std::filesystem::path image_path(const std::string& cell, const std::string& suffix);
+
+    const std::filesystem::path& folder() const { return folder_; }
+
+private:
+    std::filesystem::path folder_;
+    std::FILE* cells_ = nullptr;
+    std::FILE* samples_ = nullptr;
+};
+
+/// A run as read back.
+struct Run {
+    Json run;
+    std::vector<CellResult> cells;
+};
+
+Run read_run(const std::filesystem::path& folder);
+
+}  // namespace reliefbench

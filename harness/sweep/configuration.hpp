@@ -1,0 +1,87 @@
+#pragma once
+
+#include "core/json.hpp"
+#include "manifest/manifest.hpp"
+#include "scene/lighting.hpp"
+#include "sweep/cell.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace reliefbench {
+
+/// How a truth is traced.
+struct TruthSettings {
+    enum class Kind { exact, mesh };
+    Kind kind = Kind::exact;
+    /// mesh only: quads per texel and side.
+    int subdivision = 4;
+};
+
+/// When a cell has been sampled enough. A rule is an object of its own (harness/measure/stopping_rule.hpp).
+struct SamplingSettings {
+    /// Rounds over the cells of a block.
+    int rounds = 5;
+    /// Samples of each pass per visit.
+    int samples_per_visit = 3;
+    /// Unrecorded draws before the first round.
+    int warm_up = 2;
+    /// A pass shorter than this is repeated inside one timestamp pair until it is not.
+    double minimum_pass_ms = 0.2;
+};
+
+/// One entry of "techniques": an id with the values swept for its parameters by name.
+struct TechniqueSelection {
+    std::string technique;
+    std::vector<std::pair<std::string, std::vector<ParameterValue>>> parameters;
+};
+
+/// One swept quantity: name and raw values, checked by the expansion.
+struct Axis {
+    std::string name;
+    std::vector<Json> values;
+};
+
+/// A configuration as read: configs/schema.json is its schema, docs/architecture.md its description.
+struct Configuration {
+    std::string name;
+    std::vector<TechniqueSelection> techniques;
+    std::vector<Axis> axes;
+    /// Groups of axes that advance together instead of as a product.
+    std::vector<std::vector<std::string>> zip;
+    /// Each: conditions (technique, axis or parameter → values), all of which must hold for a cell to be dropped.
+    std::vector<std::map<std::string, std::vector<Json>>> exclude;
+    std::uint64_t seed = 1;
+    TruthSettings truth;
+    SamplingSettings sampling;
+    Lighting lighting;
+    /// Keep pictures of every cell in images/.
+    bool images = false;
+    /// The whole as JSON after overrides: written to run.json, and reads back to the same configuration.
+    Json expanded;
+};
+
+/// `overrides` are "-a" arguments: "name=v1,v2" or "name=[start:stop:step]" (stop included when met).
+/// Relative paths of height maps are taken from the configuration file's folder when they exist there, else from the
+/// working directory. run.json of an earlier run is taken too.
+Configuration read_configuration(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                                 const std::vector<Manifest>& techniques);
+
+Configuration parse_configuration(const Json& json, const std::string& file, const std::vector<std::string>& overrides,
+                                  const std::vector<Manifest>& techniques);
+
+/// Product of the axes (zipped ones together) × techniques × their parameter values; excluded cells dropped.
+/// Order: views outermost, so that cells of one view are neighbours. Errors: a technique, axis or value unknown to
+/// everyone, a parameter set by name out of its range. A swept `sample_count` or parameter out of one technique's
+/// range makes that cell skipped with the reason. No cell twice; no cell at all is an Error.
+std::vector<Cell> expand(const Configuration& configuration, const std::vector<Manifest>& techniques);
+
+/// "--filter" expressions: "technique=pom,qdm", "view_angle=60", "max_steps>=16"; all must hold.
+std::vector<Cell> filter_cells(std::vector<Cell> cells, const std::vector<std::string>& filters,
+                               const std::vector<Manifest>& techniques);
+
+}  // namespace reliefbench

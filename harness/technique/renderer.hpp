@@ -1,0 +1,115 @@
+#pragma once
+
+#include "manifest/parameter.hpp"
+#include "scene/albedo.hpp"
+#include "scene/height_map.hpp"
+#include "scene/hit.hpp"
+#include "scene/lighting.hpp"
+#include "scene/relief.hpp"
+#include "technique/technique.hpp"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace reliefbench {
+
+namespace gpu {
+class Device;
+}
+
+/// Height map, derivatives and albedo as textures. Shared by every renderer of a block.
+class SceneOnDevice {
+public:
+    SceneOnDevice(const gpu::Device& device, const HeightMap& map, const Albedo& albedo);
+    ~SceneOnDevice();
+    SceneOnDevice(SceneOnDevice&&) noexcept;
+
+    struct Textures;
+    const Textures& textures() const { return *textures_; }
+
+private:
+    std::unique_ptr<Textures> textures_;
+};
+
+/// What the search of one pixel cost; shading is not counted.
+struct PixelWork {
+    std::uint32_t taps = 0;
+    std::uint32_t texels = 0;
+    std::uint32_t steps = 0;
+    /// Searches that ended by their cap.
+    std::uint32_t unconverged = 0;
+};
+
+/// One draw of the probed compilation.
+struct Probe {
+    HitImage hits;
+    /// Linear RGB; the background where nothing was drawn.
+    Image<std::array<float, 3>> colour;
+    /// Pixels that ran a fragment of the technique (with misses, which are not in `hits`).
+    Image<std::uint8_t> covered;
+    Image<PixelWork> work;
+    /// Taps and texels of vertex and tessellation stages, summed over the draw.
+    PixelWork stages;
+};
+
+/// One draw of the timed compilation, for checking it against the probed one.
+struct TimedPicture {
+    Image<std::array<float, 4>> colour;
+    Image<float> depth;
+};
+
+enum class ColourTarget {
+    /// 8 bits, sRGB-encoded: what is timed.
+    display,
+    /// 32-bit float, linear.
+    linear_float,
+};
+
+/// Preparation: compute passes run in the manifest's order.
+struct Preparation {
+    /// Milliseconds of each run, by pass (all levels of a pass together).
+    std::map<std::string, std::vector<double>> pass_ms;
+    /// Device memory of the derived maps.
+    std::uint64_t bytes = 0;
+};
+
+/// Pipeline statistics of one draw by their Vulkan names without prefix, for example "fragment_shader_invocations".
+/// Empty where the device has none.
+using PipelineStatistics = std::map<std::string, std::uint64_t>;
+
+/// One technique with one set of parameters before one view. Construction compiles the shaders (an Error names file,
+/// line and technique) and allocates; `prepare` must come before everything else.
+class Renderer {
+public:
+    Renderer(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
+             const SceneOnDevice& scene, const View& view, const Lighting& lighting);
+    ~Renderer();
+    Renderer(Renderer&&) noexcept;
+
+    Preparation prepare(int samples = 1);
+    Probe probe();
+    TimedPicture draw_timed(ColourTarget target);
+    PipelineStatistics pipeline_statistics();
+
+    /// `samples` isolated timings of the draw, each of `repeats` draws inside one timestamp pair, in milliseconds per
+    /// draw. All in one submission.
+    std::vector<double> time_draw(int samples, int repeats = 1);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Empty when the device can run the technique on the map and view, else the reason for skipping the cell.
+std::string unsupported_reason(const gpu::Device& device, const Technique& technique, const View& view,
+                               Resolution height_map);
+
+/// The largest deviation δ of a filtered tap from exact bilinear interpolation of the stored values, for heights in
+/// [0, 1], measured with a compute pass. The filter's floor is δ·H·tanθ·N·tiling texels.
+double measure_filter_deviation(const gpu::Device& device, HeightFormat format);
+
+}  // namespace reliefbench

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "manifest/manifest.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace reliefbench {
+
+/// A technique as found: its folder is the unit, the folder's name its id.
+struct Technique {
+    Manifest manifest;
+    std::filesystem::path folder;
+    /// Content hash of every file of the folder that shaders can reach, and of technique.json.
+    std::string hash;
+};
+
+struct TechniqueLibrary {
+    /// Sorted by id.
+    std::vector<Technique> techniques;
+    /// Folders whose technique.json cannot be used: id and message. Naming one in a configuration is an Error with it.
+    std::vector<std::pair<std::string, std::string>> broken;
+
+    std::vector<Manifest> manifests() const;
+    /// Throws Error with the reason for a broken one, or with "did you mean" for an unknown one.
+    const Technique& get(const std::string& id) const;
+};
+
+/// Every sub-folder of `roots` with a technique.json. The same id in two roots is an Error.
+TechniqueLibrary find_techniques(const std::vector<std::filesystem::path>& roots);
+
+/// techniques/ and harness/shaders/ beside the sources that built this binary, or from RELIEFBENCH_DATA_DIR.
+std::filesystem::path default_technique_root();
+std::filesystem::path shader_root();
+
+}  // namespace reliefbench
