@@ -1,0 +1,158 @@
+// The folder tree is the architecture. These tests read the sources as text and hold them to docs/architecture.md.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source_root = RELIEFBENCH_SOURCE_DIR;
+
+/// What each layer may include, itself aside. cli may include everything.
+const std::map<std::string, std::set<std::string>> allowed_includes = {
+    {"core", {}},
+    {"scene", {"core"}},
+    {"manifest", {"core"}},
+    {"sweep", {"manifest", "scene", "core"}},
+    {"reference", {"scene", "core"}},
+    {"metrics", {"scene", "core"}},
+    {"gpu", {"core"}},
+    {"technique", {"manifest", "gpu", "scene", "core"}},
+    {"store", {"sweep", "core"}},
+    {"verify", {"technique", "manifest", "reference", "metrics", "scene", "gpu", "core"}},
+    {"measure", {"technique", "manifest", "reference", "metrics", "scene", "gpu", "store", "sweep", "core"}},
+    {"compare", {"store", "core"}},
+    {"report", {"compare", "store", "core"}},
+};
+
+/// Third-party headers that stay behind one interface: prefix → the files (relative to harness/) that may include them.
+const std::map<std::string, std::regex> confined_includes = {
+    {"vulkan/", std::regex("gpu/.*|technique/.*\\.cpp|technique/detail/.*")},
+    {"OpenImageIO/", std::regex("scene/image_file\\.cpp")},
+    {"embree3/", std::regex("reference/mesh_tracer\\.cpp")},
+    {"glslang/", std::regex("gpu/.*\\.cpp")},
+    {"SPIRV/", std::regex("gpu/.*\\.cpp")},
+    {"CLI/", std::regex("cli/.*")},
+};
+
+std::string read(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    std::stringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+std::vector<fs::path> files_below(const fs::path& folder, const std::set<std::string>& extensions) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file() && extensions.contains(entry.path().extension().string())) {
+            files.push_back(entry.path());
+        }
+    }
+    return files;
+}
+
+std::vector<std::string> matches(const std::string& text, const std::regex& pattern) {
+    std::vector<std::string> found;
+    for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
+        found.push_back((*match)[1]);
+    }
+    return found;
+}
+
+std::string layer_of(const fs::path& file) {
+    return fs::relative(file, source_root / "harness").begin()->string();
+}
+
+std::vector<fs::path> technique_folders() {
+    std::vector<fs::path> folders;
+    for (const auto& entry : fs::directory_iterator(source_root / "techniques")) {
+        if (entry.is_directory()) {
+            folders.push_back(entry.path());
+        }
+    }
+    return folders;
+}
+
+}  // namespace
+
+TEST(Architecture, LayersIncludeOnlyWhatTheyMay) {
+    const std::regex quoted_include("#\\s*include\\s*\"([^\"]+)\"");
+    std::size_t checked = 0;
+    for (const fs::path& file : files_below(source_root / "harness", {".hpp", ".cpp"})) {
+        const std::string layer = layer_of(file);
+        if (layer == "cli") {
+            continue;
+        }
+        ASSERT_TRUE(allowed_includes.contains(layer)) << file << " lies in a folder that is no layer";
+        for (const std::string& include : matches(read(file), quoted_include)) {
+            const std::string target = include.substr(0, include.find('/'));
+            EXPECT_TRUE(target == layer || allowed_includes.at(layer).contains(target))
+                << file << ": " << layer << " may not include " << include;
+            EXPECT_TRUE(fs::exists(source_root / "harness" / include))
+                << file << ": includes are written from harness/, and there is no " << include;
+            ++checked;
+        }
+    }
+    EXPECT_GT(checked, 100U) << "found next to nothing to check";
+}
+
+TEST(Architecture, ThirdPartyHeadersStayBehindTheirInterface) {
+    const std::regex angle_include("#\\s*include\\s*<([^>]+)>");
+    for (const fs::path& file : files_below(source_root / "harness", {".hpp", ".cpp"})) {
+        const std::string name = fs::relative(file, source_root / "harness").generic_string();
+        for (const std::string& include : matches(read(file), angle_include)) {
+            for (const auto& [prefix, where] : confined_includes) {
+                if (include.starts_with(prefix)) {
+                    EXPECT_TRUE(std::regex_match(name, where)) << name << " may not include <" << include << ">";
+                }
+            }
+        }
+    }
+}
+
+TEST(Architecture, TheHarnessNamesNoTechnique) {
+    for (const fs::path& folder : technique_folders()) {
+        const std::string quoted_id = "\"" + folder.filename().string() + "\"";
+        for (const fs::path& file : files_below(source_root / "harness", {".hpp", ".cpp"})) {
+            EXPECT_EQ(read(file).find(quoted_id), std::string::npos) << file << " names the technique " << quoted_id;
+        }
+    }
+}
+
+TEST(Architecture, ATechniqueIsAFolderOfShadersAndDocuments) {
+    const std::set<std::string> allowed_extensions = {".json", ".md",   ".glsl", ".comp", ".tesc",
+                                                      ".tese", ".vert", ".frag", ".png"};
+    const std::vector<fs::path> folders = technique_folders();
+    EXPECT_GE(folders.size(), 7U);
+    for (const fs::path& folder : folders) {
+        EXPECT_TRUE(fs::exists(folder / "technique.json")) << folder;
+        EXPECT_TRUE(fs::exists(folder / "README.md")) << folder;
+        for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+            EXPECT_TRUE(entry.is_directory() || allowed_extensions.contains(entry.path().extension().string()))
+                << entry.path();
+        }
+    }
+}
+
+TEST(Architecture, ATechniqueIncludesNoOtherTechniquesFiles) {
+    const std::regex include("#\\s*include\\s*\"([^\"]+)\"");
+    for (const fs::path& folder : technique_folders()) {
+        for (const fs::path& file : files_below(folder, {".glsl", ".comp", ".tesc", ".tese", ".vert", ".frag"})) {
+            for (const std::string& name : matches(read(file), include)) {
+                EXPECT_TRUE(fs::exists(folder / name) || fs::exists(source_root / "harness/shaders" / name))
+                    << file << " includes " << name << ", which is neither its own nor shared";
+                EXPECT_EQ(name.find(".."), std::string::npos) << file << " climbs out of its folder: " << name;
+            }
+        }
+    }
+}
