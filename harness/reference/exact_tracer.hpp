@@ -1,12 +1,12 @@
 #pragma once
 
+#include "reference/maximum_mip_chain.hpp"
 #include "scene/height_map.hpp"
 #include "scene/relief.hpp"
 
 #include <glm/vec3.hpp>
 
 #include <optional>
-#include <vector>
 
 namespace reliefbench {
 
@@ -29,6 +29,11 @@ public:
     /// square only, and a ray that enters the slab through its side beneath the sheet hits where it next does so.
     /// Boundary::repeat: the sheet goes on for ever. Rays that do not descend miss.
     std::optional<ExactHit> trace(const Ray& ray) const;
+
+private:
+    const HeightMap* map_;
+    Relief relief_;
+    MaximumMipChain maxima_;
 };
 
 }  // namespace reliefbench
