@@ -1,0 +1,72 @@
+#include "manifest/manifest.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace reliefbench {
+
+std::string to_string(Promise promise) {
+    switch (promise) {
+        case Promise::first_hit:
+            return "first_hit";
+        case Promise::order_1:
+            return "order_1";
+        case Promise::order_2:
+            return "order_2";
+        case Promise::conservative:
+            return "conservative";
+    }
+    return {};
+}
+
+const Parameter* Manifest::find_parameter(const std::string& name) const {
+    const auto found = std::ranges::find(parameters, name, &Parameter::name);
+    return found == parameters.end() ? nullptr : &*found;
+}
+
+ParameterValues Manifest::defaults() const {
+    ParameterValues values;
+    for (const Parameter& parameter : parameters)
+        values.emplace(parameter.name, parameter.default_value);
+    return values;
+}
+
+void set_sample_count(const Manifest& manifest, ParameterValues& values, std::int64_t count) {
+    assert(manifest.sample_count);
+    values[*manifest.sample_count] = count;
+    if (!manifest.sample_count_minimum) return;
+    const auto default_of = [&](const std::string& name) {
+        return static_cast<double>(std::get<std::int64_t>(manifest.find_parameter(name)->default_value));
+    };
+    const double ratio = default_of(*manifest.sample_count_minimum) / default_of(*manifest.sample_count);
+    values[*manifest.sample_count_minimum] =
+        std::max<std::int64_t>(1, std::llround(static_cast<double>(count) * ratio));
+}
+
+Manifest load_manifest(const std::filesystem::path& folder) {
+    // "techniques/pom/" has an empty last component.
+    const std::filesystem::path named = folder.has_filename() ? folder : folder.parent_path();
+    const std::string id = std::filesystem::absolute(named).lexically_normal().filename().string();
+    const std::filesystem::path file = folder / "technique.json";
+    Manifest manifest = parse_manifest(read_json_file(file), id, file.string());
+
+    const auto require_file = [&](const std::string& name, const std::string& why) {
+        if (!std::filesystem::is_regular_file(folder / name)) {
+            fail("{}: {} needs the shader file '{}', which is not in the folder; add it", file.string(), why, name);
+        }
+    };
+    if (manifest.shape.kind == Shape::Kind::quad) {
+        require_file("trace.glsl", "the shape \"quad\"");
+    } else {
+        require_file("control.tesc", "the shape \"patches\"");
+        require_file("evaluation.tese", "the shape \"patches\"");
+    }
+    for (const PassDeclaration& pass : manifest.passes)
+        require_file(pass.shader, "the pass '" + pass.name + "'");
+    return manifest;
+}
+
+}  // namespace reliefbench

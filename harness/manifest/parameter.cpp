@@ -1,0 +1,100 @@
+#include "manifest/parameter.hpp"
+
+#include "core/error.hpp"
+#include "core/suggest.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace reliefbench {
+
+namespace {
+
+template <typename Number>
+std::optional<Number> whole_text_as(const std::string& text) {
+    Number number{};
+    const char* end = text.data() + text.size();
+    const auto [stop, status] = std::from_chars(text.data(), end, number);
+    if (status != std::errc() || stop != end) return std::nullopt;
+    return number;
+}
+
+std::string expected(const Parameter& parameter) {
+    switch (parameter.type) {
+        case ParameterType::integer:
+            return fmt::format("an integer from {} to {}", parameter.minimum, parameter.maximum);
+        case ParameterType::real:
+            return fmt::format("a number from {} to {}", parameter.minimum, parameter.maximum);
+        case ParameterType::boolean:
+            return "true or false";
+        case ParameterType::choice:
+            return "one of " + join(parameter.choices);
+    }
+    return {};
+}
+
+std::string complain(const Parameter& parameter, const ParameterValue& value) {
+    return fmt::format("{} cannot be {}: it is {}", parameter.name, to_string(value), expected(parameter));
+}
+
+bool in_range(const Parameter& parameter, double number) {
+    return std::isfinite(number) && number >= parameter.minimum && number <= parameter.maximum;
+}
+
+}  // namespace
+
+std::string to_string(const ParameterValue& value) {
+    struct Writer {
+        std::string operator()(bool held) const { return held ? "true" : "false"; }
+        std::string operator()(std::int64_t held) const { return fmt::format("{}", held); }
+        std::string operator()(double held) const { return fmt::format("{}", held); }
+        std::string operator()(const std::string& held) const { return held; }
+    };
+    return std::visit(Writer{}, value);
+}
+
+ParameterValue parse_parameter_value(const Parameter& parameter, const std::string& text) {
+    switch (parameter.type) {
+        case ParameterType::integer:
+            if (const auto number = whole_text_as<std::int64_t>(text)) return *number;
+            break;
+        case ParameterType::real:
+            if (const auto number = whole_text_as<double>(text); number && std::isfinite(*number)) return *number;
+            break;
+        case ParameterType::boolean:
+            if (text == "true" || text == "false") return text == "true";
+            break;
+        case ParameterType::choice:
+            return text;
+    }
+    fail("{}", complain(parameter, text));
+}
+
+std::string check_parameter_value(const Parameter& parameter, const ParameterValue& value) {
+    bool valid = false;
+    switch (parameter.type) {
+        case ParameterType::integer: {
+            const auto* number = std::get_if<std::int64_t>(&value);
+            valid = number && in_range(parameter, static_cast<double>(*number));
+            break;
+        }
+        case ParameterType::real: {
+            const auto* number = std::get_if<double>(&value);
+            valid = number && in_range(parameter, *number);
+            break;
+        }
+        case ParameterType::boolean:
+            valid = std::holds_alternative<bool>(value);
+            break;
+        case ParameterType::choice: {
+            const auto* word = std::get_if<std::string>(&value);
+            valid = word && std::ranges::find(parameter.choices, *word) != parameter.choices.end();
+            if (word && !valid) return complain(parameter, value) + did_you_mean(*word, parameter.choices);
+            break;
+        }
+    }
+    return valid ? std::string() : complain(parameter, value);
+}
+
+}  // namespace reliefbench

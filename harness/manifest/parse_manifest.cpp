@@ -1,0 +1,317 @@
+#include "core/error.hpp"
+#include "core/suggest.hpp"
+#include "manifest/manifest.hpp"
+#include "manifest/parameter_json.hpp"
+#include "manifest/reserved_names.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr std::int64_t int32_minimum = std::numeric_limits<std::int32_t>::min();
+constexpr std::int64_t int32_maximum = std::numeric_limits<std::int32_t>::max();
+constexpr double float_maximum = std::numeric_limits<float>::max();
+
+/// The enumerators' words, in the order of the enumeration.
+const std::vector<std::string> parameter_types{"integer", "real", "boolean", "choice"};
+const std::vector<std::string> promises{"first_hit", "order_1", "order_2", "conservative"};
+const std::vector<std::string> map_sizes{"height_map", "next_power_of_two"};
+const std::vector<std::string> pass_levels{"base", "above_base"};
+
+const std::vector<std::string> kinds{"texture", "parallax", "march", "hierarchy", "cone", "geometry"};
+const std::vector<std::string> known_features{"tessellation"};
+const std::vector<std::string> map_formats{"r8", "r16", "r32f", "rg32f", "rgba8", "rgba16", "rgba32f"};
+
+std::string line(const JsonView& view) {
+    const std::string text = view.string();
+    if (text.empty() || text.find('\n') != std::string::npos) view.fail_expected("one line of text");
+    return text;
+}
+
+/// Every identifier that the generated preamble declares; two alike would not compile.
+class GlslNames {
+public:
+    void add_checked(const JsonView& view) {
+        const std::string complaint = check_glsl_name(view.string());
+        if (!complaint.empty()) view.fail_here(complaint);
+        add(view, view.string());
+    }
+    void add(const JsonView& view, const std::string& name) {
+        if (!names_.insert(name).second) view.fail_here(fmt::format("the name '{}' is given twice", name));
+    }
+
+private:
+    std::set<std::string> names_;
+};
+
+std::vector<std::string> parse_choices(const JsonView& view, const std::string& parameter, GlslNames& names) {
+    std::vector<std::string> choices;
+    for (const JsonView& item : view.items()) {
+        const std::string word = item.string();
+        const bool fits =
+            !word.empty() && word.front() != '_' && word.back() != '_' && word.find("__") == std::string::npos &&
+            std::ranges::all_of(word, [](char c) {
+                return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+            });
+        if (!fits) item.fail_expected("a word of letters, digits and single underscores");
+        names.add(item, parameter + "_" + word);
+        choices.push_back(word);
+    }
+    if (choices.empty()) view.fail_expected("at least one choice");
+    return choices;
+}
+
+void parse_range(const JsonView& view, Parameter& parameter) {
+    const std::vector<JsonView> ends = view.items();
+    if (ends.size() != 2) view.fail_expected("[minimum, maximum]");
+    const auto read = [&](const JsonView& end) {
+        if (parameter.type == ParameterType::real) return end.number(-float_maximum, float_maximum);
+        return static_cast<double>(end.integer(int32_minimum, int32_maximum));
+    };
+    parameter.minimum = read(ends[0]);
+    parameter.maximum = read(ends[1]);
+    if (parameter.minimum > parameter.maximum) view.fail_expected("a minimum that is not above the maximum");
+}
+
+Parameter parse_parameter(const JsonView& view, GlslNames& names) {
+    Parameter parameter;
+    names.add_checked(view.at("name"));
+    parameter.name = view.at("name").string();
+    parameter.type = static_cast<ParameterType>(view.at("type").choice(parameter_types));
+
+    std::vector<std::string> keys{"name", "type", "default", "help", "published"};
+    switch (parameter.type) {
+        case ParameterType::integer:
+        case ParameterType::real:
+            keys.push_back("range");
+            view.require_only(keys);
+            parse_range(view.at("range"), parameter);
+            break;
+        case ParameterType::choice:
+            keys.push_back("choices");
+            view.require_only(keys);
+            parameter.choices = parse_choices(view.at("choices"), parameter.name, names);
+            break;
+        case ParameterType::boolean:
+            view.require_only(keys);
+            break;
+    }
+    parameter.default_value = read_parameter_value(parameter, view.at("default"));
+    if (view.has("published")) parameter.published = read_parameter_value(parameter, view.at("published"));
+    parameter.help = line(view.at("help"));
+    return parameter;
+}
+
+std::string parameter_names(const Manifest& manifest, const std::string& word) {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : manifest.parameters)
+        names.push_back(parameter.name);
+    return did_you_mean(word, names);
+}
+
+/// The name of an integer parameter.
+std::string parse_integer_name(const JsonView& view, const Manifest& manifest) {
+    const std::string name = view.string();
+    const Parameter* parameter = manifest.find_parameter(name);
+    if (!parameter) view.fail_here(fmt::format("no parameter '{}'{}", name, parameter_names(manifest, name)));
+    if (parameter->type != ParameterType::integer) {
+        view.fail_here(fmt::format("the parameter '{}' must be of type integer", name));
+    }
+    return name;
+}
+
+std::string parse_sample_count_name(const JsonView& view, const Manifest& manifest) {
+    const std::string name = parse_integer_name(view, manifest);
+    if (manifest.find_parameter(name)->minimum < 1) {
+        view.fail_here(fmt::format("the range of '{}' must begin at 1 or above, as it is a number of samples", name));
+    }
+    return name;
+}
+
+MapDeclaration parse_map(const JsonView& view, GlslNames& names) {
+    view.require_only({"name", "format", "size", "mip_chain", "linear_filter"});
+    MapDeclaration map;
+    names.add_checked(view.at("name"));
+    map.name = view.at("name").string();
+    map.format = map_formats[view.at("format").choice(map_formats)];
+    if (view.has("size")) map.size = static_cast<MapDeclaration::Size>(view.at("size").choice(map_sizes));
+    if (view.has("mip_chain")) map.mip_chain = view.at("mip_chain").boolean();
+    if (view.has("linear_filter")) map.linear_filter = view.at("linear_filter").boolean();
+    return map;
+}
+
+std::string parse_shader_path(const JsonView& view) {
+    const std::filesystem::path path = view.string();
+    const bool climbs = std::ranges::any_of(path, [](const auto& component) { return component == ".."; });
+    if (path.empty() || path.is_absolute() || climbs) view.fail_expected("a file inside the technique's folder");
+    return path.string();
+}
+
+/// What the passes so far have written of a map.
+struct Written {
+    bool base = false;
+    bool above_base = false;
+};
+
+PassDeclaration parse_pass(const JsonView& view, const Manifest& manifest, std::map<std::string, Written>& written) {
+    view.require_only({"name", "shader", "writes", "levels"});
+    PassDeclaration pass;
+    pass.name = line(view.at("name"));
+    if (std::ranges::find(manifest.passes, pass.name, &PassDeclaration::name) != manifest.passes.end()) {
+        view.at("name").fail_here(fmt::format("the name '{}' is given twice", pass.name));
+    }
+    pass.shader = parse_shader_path(view.at("shader"));
+    pass.writes = view.at("writes").string();
+    if (view.has("levels")) pass.levels = static_cast<PassDeclaration::Levels>(view.at("levels").choice(pass_levels));
+
+    const auto map = std::ranges::find(manifest.maps, pass.writes, &MapDeclaration::name);
+    if (map == manifest.maps.end()) {
+        std::vector<std::string> names;
+        for (const MapDeclaration& declared : manifest.maps)
+            names.push_back(declared.name);
+        view.at("writes").fail_here(
+            fmt::format("no map '{}' is declared{}", pass.writes, did_you_mean(pass.writes, names)));
+    }
+    Written& state = written[pass.writes];
+    if (pass.levels == PassDeclaration::Levels::base) {
+        state.base = true;
+    } else if (!map->mip_chain) {
+        view.fail_here(fmt::format("the map '{}' has no level above its base; give it \"mip_chain\": true", map->name));
+    } else if (!state.base) {
+        view.fail_here(fmt::format("no earlier pass writes the base of the map '{}'", map->name));
+    } else {
+        state.above_base = true;
+    }
+    return pass;
+}
+
+void parse_maps_and_passes(const JsonView& view, Manifest& manifest, GlslNames& names) {
+    if (view.has("maps")) {
+        for (const JsonView& item : view.at("maps").items())
+            manifest.maps.push_back(parse_map(item, names));
+    }
+    std::map<std::string, Written> written;
+    if (view.has("passes")) {
+        for (const JsonView& item : view.at("passes").items()) {
+            manifest.passes.push_back(parse_pass(item, manifest, written));
+        }
+    }
+    for (const MapDeclaration& map : manifest.maps) {
+        const Written& state = written[map.name];
+        if (!state.base) view.fail_here(fmt::format("no pass writes the map '{}'", map.name));
+        if (map.mip_chain && !state.above_base) {
+            view.fail_here(fmt::format("no pass writes the levels above the base of the map '{}'", map.name));
+        }
+    }
+}
+
+Shape parse_shape(const JsonView& view, const Manifest& manifest) {
+    Shape shape;
+    if (!view.json().is_object()) {
+        if (view.json() != Json("quad")) view.fail_expected("\"quad\" or {\"patches\": {\"parameter\": ...}}");
+        return shape;
+    }
+    view.require_only({"patches"});
+    const JsonView patches = view.at("patches");
+    patches.require_only({"parameter", "texels_per_patch"});
+    shape.kind = Shape::Kind::patches;
+    shape.patches_parameter = parse_integer_name(patches.at("parameter"), manifest);
+    if (manifest.find_parameter(shape.patches_parameter)->minimum < 0) {
+        patches.at("parameter").fail_here("the number of patches must not be negative; let its range begin at 0 or 1");
+    }
+    if (patches.has("texels_per_patch")) {
+        constexpr int largest_map = 16384;
+        shape.texels_per_patch = static_cast<int>(patches.at("texels_per_patch").integer(1, largest_map));
+    }
+    return shape;
+}
+
+PromiseDeclaration parse_promise(const JsonView& view, const Manifest& manifest) {
+    view.require_only({"promise", "with", "halvings"});
+    PromiseDeclaration declared;
+    declared.promise = static_cast<Promise>(view.at("promise").choice(promises));
+    const bool is_order = declared.promise == Promise::order_1 || declared.promise == Promise::order_2;
+    if (is_order && !manifest.sample_count) {
+        view.at("promise").fail_here("it needs a \"sample_count\", as it tells how errors fall with it");
+    }
+    if (view.has("with")) {
+        for (const auto& [name, value] : view.at("with").members()) {
+            const Parameter* parameter = manifest.find_parameter(name);
+            if (!parameter) value.fail_here(fmt::format("no parameter '{}'{}", name, parameter_names(manifest, name)));
+            declared.with.emplace(name, read_parameter_value(*parameter, value));
+        }
+    }
+    if (view.has("halvings")) {
+        if (declared.promise != Promise::order_1)
+            view.at("halvings").fail_here("it belongs to the promise order_1 only");
+        declared.halvings = parse_integer_name(view.at("halvings"), manifest);
+    }
+    for (const PromiseDeclaration& earlier : manifest.promises) {
+        if (earlier.promise == declared.promise && earlier.with == declared.with) {
+            view.fail_here("the same promise is given twice");
+        }
+    }
+    return declared;
+}
+
+void check_id(const std::string& id, const std::string& file) {
+    const bool fits = !id.empty() && id.front() >= 'a' && id.front() <= 'z' && std::ranges::all_of(id, [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+    });
+    if (!fits) {
+        fail(
+            "{}: the folder's name '{}' cannot be a technique's id; rename it to lower case letters, digits and '_', "
+            "a letter first",
+            file, id);
+    }
+}
+
+}  // namespace
+
+Manifest parse_manifest(const Json& json, const std::string& id, const std::string& file) {
+    check_id(id, file);
+    const JsonView view(json, file);
+    view.require_only({"title", "kind", "citation", "parameters", "sample_count", "sample_count_minimum", "features",
+                       "maps", "passes", "shape", "promises"});
+    Manifest manifest;
+    manifest.id = id;
+    manifest.title = line(view.at("title"));
+    manifest.kind = kinds[view.at("kind").choice(kinds)];
+    manifest.citation = line(view.at("citation"));
+
+    GlslNames names;
+    for (const JsonView& item : view.at("parameters").items()) {
+        manifest.parameters.push_back(parse_parameter(item, names));
+    }
+    if (view.has("sample_count")) manifest.sample_count = parse_sample_count_name(view.at("sample_count"), manifest);
+    if (view.has("sample_count_minimum")) {
+        const JsonView minimum = view.at("sample_count_minimum");
+        manifest.sample_count_minimum = parse_sample_count_name(minimum, manifest);
+        if (!manifest.sample_count || manifest.sample_count == manifest.sample_count_minimum) {
+            minimum.fail_here("it needs a \"sample_count\", another parameter");
+        }
+    }
+    if (view.has("features")) {
+        for (const JsonView& item : view.at("features").items()) {
+            const std::string feature = known_features[item.choice(known_features)];
+            if (std::ranges::find(manifest.features, feature) != manifest.features.end()) {
+                item.fail_here(fmt::format("the feature '{}' is given twice", feature));
+            }
+            manifest.features.push_back(feature);
+        }
+    }
+    parse_maps_and_passes(view, manifest, names);
+    manifest.shape = parse_shape(view.at("shape"), manifest);
+    const bool tessellates = std::ranges::find(manifest.features, "tessellation") != manifest.features.end();
+    if (manifest.shape.kind == Shape::Kind::patches && !tessellates) manifest.features.push_back("tessellation");
+    for (const JsonView& item : view.at("promises").items()) {
+        manifest.promises.push_back(parse_promise(item, manifest));
+    }
+    return manifest;
+}
+
+}  // namespace reliefbench

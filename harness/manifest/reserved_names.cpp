@@ -1,0 +1,116 @@
+#include "manifest/reserved_names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace reliefbench {
+
+namespace {
+
+// GLSL 4.60, section 3.6: what of it has no capital letter, without vector and matrix types, which are recognised by
+// their stems.
+constexpr std::string_view keywords[] = {
+    "const",    "uniform",  "buffer",    "shared",    "attribute", "varying",  "coherent",   "volatile",
+    "restrict", "readonly", "writeonly", "layout",    "centroid",  "flat",     "smooth",     "noperspective",
+    "patch",    "sample",   "invariant", "precise",   "break",     "continue", "do",         "for",
+    "while",    "switch",   "case",      "default",   "if",        "else",     "subroutine", "in",
+    "out",      "inout",    "int",       "void",      "bool",      "true",     "false",      "float",
+    "double",   "uint",     "discard",   "return",    "lowp",      "mediump",  "highp",      "precision",
+    "struct",   "common",   "partition", "active",    "asm",       "class",    "union",      "enum",
+    "typedef",  "template", "this",      "resource",  "goto",      "inline",   "noinline",   "public",
+    "static",   "extern",   "external",  "interface", "long",      "short",    "half",       "fixed",
+    "unsigned", "superp",   "input",     "output",    "filter",    "sizeof",   "cast",       "namespace",
+    "using",    "demote",   "terminate", "main",      "defined",   "sampler",  "atomic_uint"};
+
+// Built-in functions, GLSL 4.60 section 8. Redefining one hides it from every shader of the technique.
+constexpr std::string_view functions[] = {
+    "radians",   "degrees",     "sin",         "cos",     "tan",       "asin",        "acos",     "atan",  "sinh",
+    "cosh",      "tanh",        "asinh",       "acosh",   "atanh",     "pow",         "exp",      "log",   "exp2",
+    "log2",      "sqrt",        "inversesqrt", "abs",     "sign",      "floor",       "trunc",    "round", "ceil",
+    "fract",     "mod",         "modf",        "min",     "max",       "clamp",       "mix",      "step",  "smoothstep",
+    "isnan",     "isinf",       "fma",         "frexp",   "ldexp",     "length",      "distance", "cross", "dot",
+    "normalize", "faceforward", "reflect",     "refract", "transpose", "determinant", "inverse",  "equal", "any",
+    "all",       "not",         "texture",     "barrier"};
+
+// What harness/shaders defines for techniques (docs/shader_contract.md), the members that its macros could meet, and
+// what the generated preamble declares.
+constexpr std::string_view contract[] = {"trace",
+                                         "prepare",
+                                         "ray",
+                                         "uv",
+                                         "hit_on_ray",
+                                         "hit_off_ray",
+                                         "miss",
+                                         "unconverged",
+                                         "trace_miss",
+                                         "trace_on_ray",
+                                         "trace_off_ray",
+                                         "tap_height",
+                                         "tap_height_texel",
+                                         "tap_height_cell",
+                                         "tap_map",
+                                         "tap_map_texel",
+                                         "height_map",
+                                         "height_map_size",
+                                         "previous_level",
+                                         "previous_size",
+                                         "write_map",
+                                         "level",
+                                         "map_size",
+                                         "corner",
+                                         "emit_surface",
+                                         "derivatives",
+                                         "albedo",
+                                         "view",
+                                         "lighting",
+                                         "shade",
+                                         "technique"};
+
+// The axes of a view (harness/sweep), which share one namespace with parameters on the command line.
+constexpr std::string_view axes[] = {"heightmap",  "heightmap_size", "height_format", "view_angle",   "azimuth",
+                                     "projection", "distance",       "fov",           "height_scale", "tiling",
+                                     "boundary",   "resolution",     "sample_count"};
+
+constexpr std::string_view type_stems[] = {"vec", "ivec", "uvec", "bvec", "dvec", "fvec", "hvec", "mat", "dmat"};
+
+template <std::size_t count>
+bool contains(const std::string_view (&names)[count], std::string_view name) {
+    return std::ranges::find(names, name) != std::end(names);
+}
+
+bool is_identifier(std::string_view name) {
+    const auto lower_or_digit = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
+    return !name.empty() && name.front() >= 'a' && name.front() <= 'z' && std::ranges::all_of(name, lower_or_digit) &&
+           name.find("__") == std::string_view::npos;
+}
+
+/// vec2, dmat3x4, ...: a stem and then dimensions.
+bool is_type(std::string_view name) {
+    const auto dimension = [](char c) { return (c >= '2' && c <= '4') || c == 'x'; };
+    const auto matches = [&](std::string_view stem) {
+        return name.size() > stem.size() && name.starts_with(stem) &&
+               std::ranges::all_of(name.substr(stem.size()), dimension);
+    };
+    return std::ranges::any_of(type_stems, matches);
+}
+
+}  // namespace
+
+std::string check_glsl_name(const std::string& name) {
+    if (!is_identifier(name)) {
+        return fmt::format("'{}' is no usable name: lower case letters, digits and single underscores, a letter first",
+                           name);
+    }
+    if (name.starts_with("gl_") || is_type(name) || contains(keywords, name) || contains(functions, name)) {
+        return fmt::format("'{}' is a name of GLSL; choose another", name);
+    }
+    if (contains(contract, name) || name.starts_with("reliefbench")) {
+        return fmt::format("'{}' is a name that the harness's shaders use; choose another", name);
+    }
+    if (contains(axes, name)) return fmt::format("'{}' is an axis of the view; choose another name", name);
+    return {};
+}
+
+}  // namespace reliefbench
