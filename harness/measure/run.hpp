@@ -1,5 +1,6 @@
 #pragma once
 
+#include "measure/clock.hpp"
 #include "store/cell_result.hpp"
 #include "store/run_folder.hpp"
 #include "sweep/configuration.hpp"
@@ -43,6 +44,6 @@ struct RunOutcome {
 /// is a cell's failure; an Error of the store (a full disk) ends the run.
 RunOutcome run_cells(const gpu::Device& device, const TechniqueLibrary& library, const Configuration& configuration,
                      const std::vector<Cell>& cells, RunWriter& writer,
-                     const std::function<void(const Progress&)>& on_progress);
+                     const std::function<void(const Progress&)>& on_progress, const Clock& clock = steady_clock());
 
 }  // namespace reliefbench

@@ -1,0 +1,89 @@
+#include "measure/shared_inputs.hpp"
+
+#include "core/hash.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace reliefbench {
+
+namespace {
+
+bool same_map(const ViewKey& key, const HeightMapSource& source, HeightFormat format) {
+    return key.height_map == source && key.height_format == format;
+}
+
+HeightMapRecord inspect(const ViewKey& key) {
+    const HeightMap map = load_height_map(key.height_map, key.height_format);
+    const Albedo albedo = load_albedo(key.height_map, map);
+    HeightMapRecord record;
+    record.source = key.height_map;
+    record.format = key.height_format;
+    record.name = map.name;
+    record.size = map.heights.size;
+    record.hash = map.hash;
+    record.albedo_hash = content_hash(std::as_bytes(std::span(albedo.texels.texels)));
+    record.mapping = map.mapping;
+    record.constant = map.constant;
+    return record;
+}
+
+}  // namespace
+
+std::vector<HeightMapRecord> inspect_height_maps(const std::vector<Cell>& cells) {
+    std::vector<HeightMapRecord> records;
+    for (const Cell& cell : cells) {
+        const bool known = std::any_of(records.begin(), records.end(), [&](const HeightMapRecord& record) {
+            return same_map(cell.view, record.source, record.format);
+        });
+        if (!known) {
+            records.push_back(inspect(cell.view));
+        }
+    }
+    return records;
+}
+
+LoadedMap::LoadedMap(const gpu::Device& device, const HeightMapSource& source, HeightFormat format)
+    : map(load_height_map(source, format)), albedo(load_albedo(source, map)), scene(device, map, albedo) {}
+
+Truth trace_truth(const LoadedMap& loaded, const View& view, const Lighting& lighting, const TruthSettings& settings) {
+    if (settings.kind == TruthSettings::Kind::mesh) {
+        return trace_mesh_truth(loaded.map, loaded.albedo, view, lighting, settings.subdivision);
+    }
+    return trace_exact_truth(loaded.map, loaded.albedo, view, lighting);
+}
+
+SharedInputs::SharedInputs(const gpu::Device& device, const Lighting& lighting, const TruthSettings& settings)
+    : device_(&device), lighting_(lighting), settings_(settings) {}
+
+const LoadedMap& SharedInputs::map(const ViewKey& key) {
+    for (const KeyedMap& keyed : maps_) {
+        if (same_map(key, keyed.source, keyed.format)) {
+            return keyed.loaded;
+        }
+    }
+    maps_.push_back({key.height_map, key.height_format, LoadedMap(*device_, key.height_map, key.height_format)});
+    return maps_.back().loaded;
+}
+
+const Truth& SharedInputs::truth(const ViewKey& key) {
+    if (!truth_ || truth_->key != key) {
+        truth_.reset();
+        Truth traced = trace_truth(map(key), key.view, lighting_, settings_);
+        truth_seconds_ += traced.trace_ms / 1000.0;
+        truth_.emplace(KeyedTruth{key, std::move(traced)});
+    }
+    return truth_->truth;
+}
+
+void SharedInputs::keep_only(const std::vector<ViewKey>& views) {
+    if (truth_ && std::find(views.begin(), views.end(), truth_->key) == views.end()) {
+        truth_.reset();
+    }
+    maps_.remove_if([&](const KeyedMap& keyed) {
+        return std::none_of(views.begin(), views.end(),
+                            [&](const ViewKey& key) { return same_map(key, keyed.source, keyed.format); });
+    });
+}
+
+}  // namespace reliefbench

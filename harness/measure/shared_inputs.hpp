@@ -1,0 +1,75 @@
+#pragma once
+
+#include "reference/truth.hpp"
+#include "scene/albedo.hpp"
+#include "scene/height_map.hpp"
+#include "sweep/configuration.hpp"
+#include "technique/renderer.hpp"
+
+#include <list>
+#include <optional>
+#include <vector>
+
+namespace reliefbench {
+
+/// What a run remembers of an input once its pixels are dropped.
+struct HeightMapRecord {
+    HeightMapSource source;
+    HeightFormat format = HeightFormat::r16;
+    std::string name;
+    Resolution size;
+    std::string hash;
+    std::string albedo_hash;
+    std::string mapping;
+    bool constant = false;
+};
+
+/// Loads every height map and albedo of the cells once, so that a bad one is an Error before anything is written.
+std::vector<HeightMapRecord> inspect_height_maps(const std::vector<Cell>& cells);
+
+/// A height map loaded and on the device.
+struct LoadedMap {
+    LoadedMap(const gpu::Device& device, const HeightMapSource& source, HeightFormat format);
+
+    HeightMap map;
+    Albedo albedo;
+    SceneOnDevice scene;
+};
+
+Truth trace_truth(const LoadedMap& loaded, const View& view, const Lighting& lighting, const TruthSettings& settings);
+
+/// Height maps and truths that the cells of a block share. Holds one truth, that of the view asked for last: cells of
+/// one view are neighbours, so that each view is traced once.
+class SharedInputs {
+public:
+    SharedInputs(const gpu::Device& device, const Lighting& lighting, const TruthSettings& settings);
+
+    const LoadedMap& map(const ViewKey& key);
+    /// Valid until the truth of another view is asked for.
+    const Truth& truth(const ViewKey& key);
+    /// Frees what none of these views needs.
+    void keep_only(const std::vector<ViewKey>& views);
+
+    /// Wall time of all truths traced so far.
+    double truth_seconds() const { return truth_seconds_; }
+
+private:
+    struct KeyedMap {
+        HeightMapSource source;
+        HeightFormat format;
+        LoadedMap loaded;
+    };
+    struct KeyedTruth {
+        ViewKey key;
+        Truth truth;
+    };
+
+    const gpu::Device* device_;
+    Lighting lighting_;
+    TruthSettings settings_;
+    std::list<KeyedMap> maps_;
+    std::optional<KeyedTruth> truth_;
+    double truth_seconds_ = 0;
+};
+
+}  // namespace reliefbench
