@@ -1,0 +1,93 @@
+#include "scene/albedo.hpp"
+
+#include "core/error.hpp"
+#include "scene/colour.hpp"
+#include "scene/image_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr int largest_side = 16384;
+
+/// Linear RGB of the default albedo at height 0 and at height 1.
+constexpr std::array<double, 3> dark_stone{0.09, 0.07, 0.06};
+constexpr std::array<double, 3> light_stone{0.62, 0.57, 0.50};
+
+float quantise_channel(double linear) {
+    return quantise(std::clamp(linear, 0.0, 1.0), HeightFormat::r16);
+}
+
+Albedo default_albedo(const HeightMap& map) {
+    Albedo albedo;
+    albedo.texels = Image<std::array<float, 4>>(map.heights.size);
+    for (std::size_t index = 0; index < map.heights.texels.size(); ++index) {
+        const double height = map.heights.texels[index];
+        std::array<float, 4>& texel = albedo.texels.texels[index];
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            texel[channel] = quantise_channel(std::lerp(dark_stone[channel], light_stone[channel], height));
+        }
+        texel[3] = 1;
+    }
+    return albedo;
+}
+
+}  // namespace
+
+std::array<double, 3> Albedo::sample(double u, double v) const {
+    const Resolution size = texels.size;
+    const double x = u * size.width - 0.5;
+    const double y = v * size.height - 0.5;
+    const double left = std::floor(x);
+    const double below = std::floor(y);
+    const auto wrap = [](double index, int count) {
+        return static_cast<int>(index - std::floor(index / count) * count) % count;
+    };
+    std::array<double, 3> colour{};
+    for (int corner = 0; corner < 4; ++corner) {
+        const int right = corner % 2;
+        const int above = corner / 2;
+        const double weight = (right ? x - left : 1 - (x - left)) * (above ? y - below : 1 - (y - below));
+        const auto& texel = texels.at(wrap(left + right, size.width), wrap(below + above, size.height));
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            colour[channel] += weight * texel[channel];
+    }
+    return colour;
+}
+
+Albedo load_albedo(const HeightMapSource& source, const HeightMap& map) {
+    if (source.albedo.empty()) return default_albedo(map);
+    const RasterFile raster = read_raster_file(source.albedo);
+    const Resolution size = raster.size;
+    if (size.width > largest_side || size.height > largest_side) {
+        fail("albedo '{}' of {}x{}: each side must have at most {} texels; scale it down", source.albedo, size.width,
+             size.height, largest_side);
+    }
+    // One channel, or one and alpha: grey. Alpha is ignored.
+    const bool grey = raster.channels() < 3;
+    Albedo albedo;
+    albedo.texels = Image<std::array<float, 4>>(size);
+    for (int y = 0; y < size.height; ++y) {
+        const auto row = static_cast<std::size_t>(size.height - 1 - y) * size.width;
+        for (int x = 0; x < size.width; ++x) {
+            const float* values = raster.values.data() + (row + x) * static_cast<std::size_t>(raster.channels());
+            std::array<float, 4>& texel = albedo.texels.at(x, y);
+            for (int channel = 0; channel < 3; ++channel) {
+                const double encoded = values[grey ? 0 : channel];
+                if (!std::isfinite(encoded)) {
+                    fail("albedo '{}' has the value {} in column {}, row {} from the bottom: repair the file",
+                         source.albedo, encoded, x, y);
+                }
+                texel[channel] = quantise_channel(srgb_decode(encoded));
+            }
+            texel[3] = 1;
+        }
+    }
+    return albedo;
+}
+
+}  // namespace reliefbench

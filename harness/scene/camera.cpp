@@ -1,0 +1,93 @@
+#include "scene/camera.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace reliefbench {
+
+namespace {
+
+/// Tangents of the half angles that the picture spans.
+glm::dvec2 half_extent(const Camera& camera, Resolution resolution) {
+    const double vertical = std::tan(glm::radians(camera.fov) / 2);
+    return {vertical * resolution.width / resolution.height, vertical};
+}
+
+/// View depth that everything seen at or below z = 0 inside the patch exceeds. Two bounds hold, each with a margin of
+/// two: that of the patch's nearest corner, and, for an eye above the patch itself, the eye's height over the plane
+/// seen at the picture's corner.
+double near_plane(const Camera& camera, glm::dvec3 eye, glm::dvec2 extent) {
+    const double nearest_corner = camera.distance - (std::abs(eye.x) + std::abs(eye.y)) / (2 * camera.distance);
+    const double cosine_of_picture_corner = 1 / std::sqrt(1 + glm::dot(extent, extent));
+    return std::max(nearest_corner, eye.z * cosine_of_picture_corner) / 2;
+}
+
+/// Infinite far plane: depth = 1 − near/(view depth), so that nothing is cut off however far a grazing ray travels.
+glm::dmat4 perspective_clip(const Camera& camera, Resolution resolution) {
+    const CameraFrame frame = camera_frame(camera);
+    const glm::dvec2 extent = half_extent(camera, resolution);
+    const glm::dvec3 x = frame.right / extent.x;
+    const glm::dvec3 y = -frame.up / extent.y;
+    const glm::dvec3 depth = frame.forward;
+    const double near = near_plane(camera, frame.eye, extent);
+
+    glm::dmat4 clip;
+    for (int column = 0; column < 3; ++column) {
+        clip[column] = {x[column], y[column], depth[column], depth[column]};
+    }
+    clip[3] = {-glm::dot(x, frame.eye), -glm::dot(y, frame.eye), -glm::dot(depth, frame.eye) - near,
+               -glm::dot(depth, frame.eye)};
+    return clip;
+}
+
+glm::dmat4 parallel_clip(const Camera& camera) {
+    const glm::dvec3 direction = camera_frame(camera).forward;
+    const double slide_x = direction.x / direction.z;
+    const double slide_y = direction.y / direction.z;
+    glm::dmat4 clip(1.0);
+    clip[0] = {2, 0, 0, 0};
+    clip[1] = {0, -2, 0, 0};
+    clip[2] = {-2 * slide_x, 2 * slide_y, -1, 0};
+    return clip;
+}
+
+}  // namespace
+
+std::string to_string(Projection projection) {
+    return projection == Projection::perspective ? "perspective" : "parallel";
+}
+
+CameraFrame camera_frame(const Camera& camera) {
+    const double theta = glm::radians(camera.view_angle);
+    const double phi = glm::radians(camera.azimuth);
+    const glm::dvec3 to_eye{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+    CameraFrame frame;
+    frame.eye = camera.distance * to_eye;
+    frame.forward = -to_eye;
+    frame.up = {-std::cos(theta) * std::cos(phi), -std::cos(theta) * std::sin(phi), std::sin(theta)};
+    frame.right = glm::cross(frame.forward, frame.up);
+    return frame;
+}
+
+Ray pixel_ray(const Camera& camera, Resolution resolution, double i, double j) {
+    assert(resolution.width > 0 && resolution.height > 0);
+    const CameraFrame frame = camera_frame(camera);
+    const double across = (i + 0.5) / resolution.width;
+    const double down = (j + 0.5) / resolution.height;
+    if (camera.projection == Projection::parallel) return {{across - 0.5, 0.5 - down, 0.0}, frame.forward};
+    const glm::dvec2 extent = half_extent(camera, resolution);
+    const glm::dvec3 direction =
+        frame.forward + frame.right * ((2 * across - 1) * extent.x) + frame.up * ((1 - 2 * down) * extent.y);
+    return {frame.eye, glm::normalize(direction)};
+}
+
+glm::dmat4 clip_from_world(const Camera& camera, Resolution resolution) {
+    assert(resolution.width > 0 && resolution.height > 0);
+    return camera.projection == Projection::parallel ? parallel_clip(camera) : perspective_clip(camera, resolution);
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,140 @@
+#include "scene/image_file.hpp"
+
+#include "core/error.hpp"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <system_error>
+
+namespace reliefbench {
+
+namespace {
+
+/// The largest height map (16384²) with four channels; what claims more is a broken header or a mistake.
+constexpr std::int64_t largest_value_count = std::int64_t{16384} * 16384 * 4;
+
+void check_layout(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
+    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0) {
+        fail("image '{}' has no pixels ({}x{}, {} channels): give one that has", path.string(), spec.width, spec.height,
+             spec.nchannels);
+    }
+    if (spec.deep || spec.depth > 1) {
+        fail("image '{}' is {}: give a flat, two-dimensional one", path.string(), spec.deep ? "deep" : "a volume");
+    }
+    const double values = double(spec.width) * double(spec.height) * double(spec.nchannels);
+    if (values > double(largest_value_count)) {
+        fail("image '{}' claims {}x{} pixels of {} channels, more than can be read: scale it down", path.string(),
+             spec.width, spec.height, spec.nchannels);
+    }
+}
+
+std::string reason(std::string message) {
+    while (!message.empty() && (message.back() == '\n' || message.back() == ' '))
+        message.pop_back();
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    return message.empty() ? "no reason given" : message;
+}
+
+/// Deletes an unfinished file unless told that it was moved into place.
+class PartialFile {
+public:
+    explicit PartialFile(const std::filesystem::path& target)
+        : path_(target.parent_path() / (target.stem().string() + ".partial" + target.extension().string())) {}
+    PartialFile(const PartialFile&) = delete;
+    PartialFile& operator=(const PartialFile&) = delete;
+    ~PartialFile() {
+        std::error_code ignored;
+        std::filesystem::remove(path_, ignored);
+    }
+
+    const std::filesystem::path& path() const { return path_; }
+
+    void move_to(const std::filesystem::path& target) {
+        std::error_code error;
+        std::filesystem::rename(path_, target, error);
+        if (error) fail("cannot write '{}': {}", target.string(), error.message());
+    }
+
+private:
+    std::filesystem::path path_;
+};
+
+std::vector<std::uint8_t> to_bytes(const std::vector<float>& values) {
+    std::vector<std::uint8_t> bytes(values.size());
+    std::transform(values.begin(), values.end(), bytes.begin(), [](float value) {
+        const float clamped = std::isnan(value) ? 0.0f : std::clamp(value, 0.0f, 1.0f);
+        return static_cast<std::uint8_t>(std::lround(clamped * 255.0f));
+    });
+    return bytes;
+}
+
+}  // namespace
+
+RasterFile read_raster_file(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) {
+        fail("cannot read image '{}': {}", path.string(), error ? error.message() : "no such file");
+    }
+    if (!std::filesystem::is_regular_file(path, error)) fail("cannot read image '{}': it is not a file", path.string());
+
+    OIIO::ImageSpec hints;
+    hints.attribute("oiio:UnassociatedAlpha", 1);
+    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string(), &hints);
+    if (!input) {
+        fail("cannot read image '{}': {}; give an image file that OpenImageIO reads", path.string(),
+             reason(OIIO::geterror()));
+    }
+    const OIIO::ImageSpec& spec = input->spec();
+    check_layout(path, spec);
+
+    RasterFile raster;
+    raster.size = {spec.width, spec.height};
+    raster.channel_names = spec.channelnames;
+    raster.bits = static_cast<int>(spec.format.basesize() * 8);
+    raster.values.resize(raster.size.pixels() * static_cast<std::size_t>(spec.nchannels));
+    const bool complete = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, raster.values.data());
+    // Some readers fill the rest of a truncated file and report it as an error only.
+    if (!complete || input->has_error()) {
+        fail("cannot read image '{}': {}; the file is damaged or cut short", path.string(), reason(input->geterror()));
+    }
+    return raster;
+}
+
+void write_raster_file(const std::filesystem::path& path, const RasterFile& raster) {
+    assert(raster.values.size() == raster.size.pixels() * raster.channel_names.size());
+    const std::string extension = path.extension().string();
+    if (extension != ".png" && extension != ".exr") {
+        fail("cannot write image '{}': its name must end in .png or .exr", path.string());
+    }
+    const bool as_png = extension == ".png";
+    if (as_png && (raster.channels() < 1 || raster.channels() > 4)) {
+        fail("cannot write image '{}': PNG takes one to four channels, not {}; use .exr", path.string(),
+             raster.channels());
+    }
+
+    OIIO::ImageSpec spec(raster.size.width, raster.size.height, raster.channels(),
+                         as_png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
+    spec.channelnames = raster.channel_names;
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    if (!as_png) spec.attribute("compression", "zip");
+
+    PartialFile partial(path);
+    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(extension.substr(1));
+    if (!output) fail("cannot write image '{}': {}", path.string(), reason(OIIO::geterror()));
+    bool written = output->open(partial.path().string(), spec);
+    if (written && as_png) {
+        written = output->write_image(OIIO::TypeDesc::UINT8, to_bytes(raster.values).data());
+    } else if (written) {
+        written = output->write_image(OIIO::TypeDesc::FLOAT, raster.values.data());
+    }
+    written = written && output->close();
+    if (!written) fail("cannot write image '{}': {}", path.string(), reason(output->geterror()));
+    partial.move_to(path);
+}
+
+}  // namespace reliefbench
