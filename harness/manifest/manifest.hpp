@@ -81,7 +81,7 @@ struct Manifest {
     /// The folder's name.
     std::string id;
     std::string title;
-    /// "texture", "parallax", "march", "hierarchy", "cone", "geometry": for grouping in lists.
+    /// For grouping in lists: texture, parallax, march, hierarchy, cone or geometry.
     std::string kind;
     std::string citation;
     std::vector<Parameter> parameters;
@@ -89,7 +89,7 @@ struct Manifest {
     std::optional<std::string> sample_count;
     /// The parameter that keeps its default ratio to the sample count when that is swept (an adaptive minimum).
     std::optional<std::string> sample_count_minimum;
-    /// Device features it needs: "tessellation", ...
+    /// Device features it needs, by their Vulkan names in lower case: "tessellation_shader", ...
     std::vector<std::string> features;
     std::vector<MapDeclaration> maps;
     std::vector<PassDeclaration> passes;

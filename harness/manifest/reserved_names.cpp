@@ -1,5 +1,7 @@
 #include "manifest/reserved_names.hpp"
 
+#include "manifest/words.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,73 +13,37 @@ namespace {
 
 // GLSL 4.60, section 3.6: what of it has no capital letter, without vector and matrix types, which are recognised by
 // their stems.
-constexpr std::string_view keywords[] = {
-    "const",    "uniform",  "buffer",    "shared",    "attribute", "varying",  "coherent",   "volatile",
-    "restrict", "readonly", "writeonly", "layout",    "centroid",  "flat",     "smooth",     "noperspective",
-    "patch",    "sample",   "invariant", "precise",   "break",     "continue", "do",         "for",
-    "while",    "switch",   "case",      "default",   "if",        "else",     "subroutine", "in",
-    "out",      "inout",    "int",       "void",      "bool",      "true",     "false",      "float",
-    "double",   "uint",     "discard",   "return",    "lowp",      "mediump",  "highp",      "precision",
-    "struct",   "common",   "partition", "active",    "asm",       "class",    "union",      "enum",
-    "typedef",  "template", "this",      "resource",  "goto",      "inline",   "noinline",   "public",
-    "static",   "extern",   "external",  "interface", "long",      "short",    "half",       "fixed",
-    "unsigned", "superp",   "input",     "output",    "filter",    "sizeof",   "cast",       "namespace",
-    "using",    "demote",   "terminate", "main",      "defined",   "sampler",  "atomic_uint"};
+const std::vector<std::string> keywords = words(
+    "const uniform buffer shared attribute varying coherent volatile restrict readonly writeonly layout centroid "
+    "flat smooth noperspective patch sample invariant precise break continue do for while switch case default if "
+    "else subroutine in out inout int void bool true false float double uint discard return lowp mediump highp "
+    "precision struct common partition active asm class union enum typedef template this resource goto inline "
+    "noinline public static extern external interface long short half fixed unsigned superp input output filter "
+    "sizeof cast namespace using demote terminate main defined sampler atomic_uint");
 
 // Built-in functions, GLSL 4.60 section 8. Redefining one hides it from every shader of the technique.
-constexpr std::string_view functions[] = {
-    "radians",   "degrees",     "sin",         "cos",     "tan",       "asin",        "acos",     "atan",  "sinh",
-    "cosh",      "tanh",        "asinh",       "acosh",   "atanh",     "pow",         "exp",      "log",   "exp2",
-    "log2",      "sqrt",        "inversesqrt", "abs",     "sign",      "floor",       "trunc",    "round", "ceil",
-    "fract",     "mod",         "modf",        "min",     "max",       "clamp",       "mix",      "step",  "smoothstep",
-    "isnan",     "isinf",       "fma",         "frexp",   "ldexp",     "length",      "distance", "cross", "dot",
-    "normalize", "faceforward", "reflect",     "refract", "transpose", "determinant", "inverse",  "equal", "any",
-    "all",       "not",         "texture",     "barrier"};
+const std::vector<std::string> functions = words(
+    "radians degrees sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh pow exp log exp2 log2 sqrt "
+    "inversesqrt abs sign floor trunc round ceil fract mod modf min max clamp mix step smoothstep isnan isinf "
+    "fma frexp ldexp length distance cross dot normalize faceforward reflect refract transpose determinant "
+    "inverse equal any all not texture barrier");
 
 // What harness/shaders defines for techniques (docs/shader_contract.md), the members that its macros could meet, and
 // what the generated preamble declares.
-constexpr std::string_view contract[] = {"trace",
-                                         "prepare",
-                                         "ray",
-                                         "uv",
-                                         "hit_on_ray",
-                                         "hit_off_ray",
-                                         "miss",
-                                         "unconverged",
-                                         "trace_miss",
-                                         "trace_on_ray",
-                                         "trace_off_ray",
-                                         "tap_height",
-                                         "tap_height_texel",
-                                         "tap_height_cell",
-                                         "tap_map",
-                                         "tap_map_texel",
-                                         "height_map",
-                                         "height_map_size",
-                                         "previous_level",
-                                         "previous_size",
-                                         "write_map",
-                                         "level",
-                                         "map_size",
-                                         "corner",
-                                         "emit_surface",
-                                         "derivatives",
-                                         "albedo",
-                                         "view",
-                                         "lighting",
-                                         "shade",
-                                         "technique"};
+const std::vector<std::string> contract = words(
+    "trace prepare ray uv hit_on_ray hit_off_ray miss unconverged trace_miss trace_on_ray trace_off_ray "
+    "tap_height tap_height_texel tap_height_cell tap_map tap_map_texel height_map height_map_size previous_level "
+    "previous_size write_map level map_size corner emit_surface derivatives albedo view lighting shade technique");
 
 // The axes of a view (harness/sweep), which share one namespace with parameters on the command line.
-constexpr std::string_view axes[] = {"heightmap",  "heightmap_size", "height_format", "view_angle",   "azimuth",
-                                     "projection", "distance",       "fov",           "height_scale", "tiling",
-                                     "boundary",   "resolution",     "sample_count"};
+const std::vector<std::string> axes = words(
+    "heightmap heightmap_size height_format view_angle azimuth projection distance fov height_scale tiling "
+    "boundary resolution sample_count");
 
-constexpr std::string_view type_stems[] = {"vec", "ivec", "uvec", "bvec", "dvec", "fvec", "hvec", "mat", "dmat"};
+const std::vector<std::string> type_stems = words("vec ivec uvec bvec dvec fvec hvec mat dmat");
 
-template <std::size_t count>
-bool contains(const std::string_view (&names)[count], std::string_view name) {
-    return std::ranges::find(names, name) != std::end(names);
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+    return std::ranges::find(names, name) != names.end();
 }
 
 bool is_identifier(std::string_view name) {
