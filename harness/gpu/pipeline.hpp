@@ -1,0 +1,71 @@
+#pragma once
+
+#include "gpu/handles.hpp"
+#include "gpu/shader_compiler.hpp"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace reliefbench::gpu {
+
+struct CompiledStage {
+    ShaderStage stage = ShaderStage::compute;
+    std::shared_ptr<const SpirV> code;
+};
+
+/// 32-bit values by constant_id.
+using SpecializationValues = std::map<std::uint32_t, std::uint32_t>;
+
+/// One binding of a descriptor set: a buffer, or a sampled or storage image.
+struct Binding {
+    std::uint32_t index = 0;
+    vk::DescriptorType type = vk::DescriptorType::eUniformBuffer;
+    vk::DescriptorBufferInfo buffer{};
+    vk::DescriptorImageInfo image{};
+};
+
+Binding uniform_buffer(std::uint32_t index, const vk::raii::Buffer& buffer);
+Binding storage_buffer(std::uint32_t index, const vk::raii::Buffer& buffer);
+Binding sampled_image(std::uint32_t index, const vk::raii::ImageView& view, const vk::raii::Sampler& sampler,
+                      vk::ImageLayout layout);
+Binding storage_image(std::uint32_t index, const vk::raii::ImageView& view);
+
+/// A pipeline with its layout and one descriptor set. The bindings' resources must outlive it.
+struct Pipeline {
+    vk::raii::DescriptorSetLayout set_layout{nullptr};
+    vk::raii::DescriptorPool descriptor_pool{nullptr};
+    vk::raii::DescriptorSet descriptor_set{nullptr};
+    vk::raii::PipelineLayout layout{nullptr};
+    vk::raii::Pipeline pipeline{nullptr};
+    vk::PipelineBindPoint bind_point = vk::PipelineBindPoint::eGraphics;
+
+    void bind(const vk::raii::CommandBuffer& commands) const;
+};
+
+struct ComputePipelineOptions {
+    CompiledStage shader;
+    SpecializationValues constants;
+    std::uint32_t push_constant_bytes = 0;
+};
+
+Pipeline make_compute_pipeline(const Device& device, const ComputePipelineOptions& options,
+                               const std::vector<Binding>& bindings);
+
+struct GraphicsPipelineOptions {
+    std::vector<CompiledStage> stages;
+    SpecializationValues constants;
+    std::vector<vk::Format> colour_formats;
+    vk::Format depth_format = vk::Format::eUndefined;
+    vk::Extent2D extent;
+    /// With tessellation stages: vertices of a patch; back faces are culled. 0: triangle strips, nothing culled.
+    std::uint32_t patch_vertices = 0;
+};
+
+/// No vertex buffers; viewport and scissor cover `extent`; depth test less-or-equal with write.
+Pipeline make_graphics_pipeline(const Device& device, const GraphicsPipelineOptions& options,
+                                const std::vector<Binding>& bindings);
+
+}  // namespace reliefbench::gpu

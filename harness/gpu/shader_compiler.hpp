@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace reliefbench::gpu {
+
+enum class ShaderStage { vertex, tessellation_control, tessellation_evaluation, fragment, compute };
+
+using SpirV = std::vector<std::uint32_t>;
+
+/// What one stage is compiled from.
+struct ShaderSource {
+    ShaderStage stage = ShaderStage::compute;
+    /// The file with main(), looked for as an #include is.
+    std::string file;
+    /// Folders that files are taken from. No #include may leave them, and a name found in two of them is an error, so
+    /// that one folder cannot replace another's files.
+    std::vector<std::filesystem::path> roots;
+    /// Files that exist in memory only, by the name that #include uses.
+    std::map<std::string, std::string> generated;
+    /// Text put in front of the file, after #version.
+    std::string preamble;
+};
+
+/// GLSL 4.60 for Vulkan 1.3, #include enabled. An Error has one line per complaint: "file:line: message".
+SpirV compile_shader(const ShaderSource& source);
+
+}  // namespace reliefbench::gpu
