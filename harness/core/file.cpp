@@ -1,0 +1,60 @@
+#include "core/file.hpp"
+
+#include "core/error.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+namespace reliefbench {
+
+namespace {
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
+
+std::string system_reason() {
+    return std::strerror(errno);
+}
+
+void write_whole(const std::filesystem::path& path, std::string_view text) {
+    FileHandle file(std::fopen(path.c_str(), "wb"));
+    if (!file) fail("{}: {}", path.string(), system_reason());
+    const bool written = std::fwrite(text.data(), 1, text.size(), file.get()) == text.size();
+    if (!written || std::fflush(file.get()) != 0) fail("{}: {}", path.string(), system_reason());
+    if (std::fclose(file.release()) != 0) fail("{}: {}", path.string(), system_reason());
+}
+
+}  // namespace
+
+std::string read_text_file(const std::filesystem::path& path) {
+    const FileHandle file(std::fopen(path.c_str(), "rb"));
+    if (!file) fail("cannot read {}: {}", path.string(), system_reason());
+    std::string text;
+    char buffer[65536];
+    while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get())) {
+        text.append(buffer, count);
+    }
+    if (std::ferror(file.get()) != 0) fail("cannot read {}: {}", path.string(), system_reason());
+    return text;
+}
+
+void write_text_file(const std::filesystem::path& path, std::string_view text) {
+    // The process in the name keeps two processes from writing the same file beside it.
+    const std::filesystem::path partial = path.string() + fmt::format(".{}.partial", getpid());
+    try {
+        write_whole(partial, text);
+        std::filesystem::rename(partial, path);
+    } catch (const std::exception& failure) {
+        std::error_code ignored;
+        std::filesystem::remove(partial, ignored);
+        fail("cannot write {}: {}", path.string(), failure.what());
+    }
+}
+
+}  // namespace reliefbench
