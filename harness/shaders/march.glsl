@@ -17,7 +17,7 @@ int layer_count(ReliefRay ray, int minimum, int maximum, bool by_view_angle) {
 
 // The surface's height over the ray's point at parameter s.
 float tap_along(ReliefRay ray, float s) {
-    return tap_height(ray.uv + s * ray.max_offset);
+    return tap_height(point_on_ray(ray, s));
 }
 
 // The last layer lies at h = 0, where every ray is at or beneath the surface: a crossing is always found.

@@ -92,9 +92,9 @@ float cross_leaf_exact(CellRay ray, Place place, Node node) {
 
 // As published: the chord between the filtered heights at both ends of the cell.
 float cross_leaf_linear(ReliefRay ray, Place place, Node node) {
-    float above = 1.0 - place.s - tap_height(ray.uv + place.s * ray.max_offset);
+    float above = 1.0 - place.s - tap_height(point_on_ray(ray, place.s));
     if (above <= 0.0) return 0.0;
-    float below = tap_height(ray.uv + node.exit * ray.max_offset) - (1.0 - node.exit);
+    float below = tap_height(point_on_ray(ray, node.exit)) - (1.0 - node.exit);
     return below < 0.0 ? no_crossing : above / (above + below);
 }
 
