@@ -1,6 +1,6 @@
-#include "patches.glsl"
-
 layout(vertices = 4) out;
+
+#include "patches.glsl"
 
 void main() {
     pass_corner();
