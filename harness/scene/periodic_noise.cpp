@@ -58,8 +58,10 @@ double PeriodicNoise::operator()(glm::dvec2 position) const {
 }
 
 FractalNoise::FractalNoise(Shape shape, std::uint64_t seed) : gain_(shape.gain) {
+    Random random(seed);
     for (int octave = 0; octave < shape.octaves; ++octave) {
-        octaves_.emplace_back(shape.period << octave, mix_bits(seed + static_cast<std::uint64_t>(octave)));
+        const glm::dvec2 shift{random.uniform(), random.uniform()};
+        octaves_.push_back({PeriodicNoise(shape.period << octave, random.next()), shift});
     }
 }
 
@@ -67,21 +69,8 @@ double FractalNoise::operator()(glm::dvec2 position) const {
     double sum = 0;
     double total = 0;
     double weight = 1;
-    for (const PeriodicNoise& octave : octaves_) {
-        sum += weight * octave(position);
-        total += weight;
-        weight *= gain_;
-    }
-    return sum / total;
-}
-
-double FractalNoise::ridged(glm::dvec2 position) const {
-    double sum = 0;
-    double total = 0;
-    double weight = 1;
-    for (const PeriodicNoise& octave : octaves_) {
-        const double crest = 1 - std::abs(octave(position));
-        sum += weight * crest * crest;
+    for (const Octave& octave : octaves_) {
+        sum += weight * octave.noise(position + octave.shift);
         total += weight;
         weight *= gain_;
     }

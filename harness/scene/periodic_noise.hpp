@@ -20,7 +20,8 @@ private:
     std::vector<glm::dvec2> gradients_;
 };
 
-/// Sum of octaves of PeriodicNoise, each at twice the frequency and `gain` times the amplitude of the one before.
+/// Sum of octaves of PeriodicNoise, each at twice the frequency and `gain` times the amplitude of the one before,
+/// shifted at random so that the octaves' lattices, where gradient noise is zero, do not coincide.
 class FractalNoise {
 public:
     struct Shape {
@@ -34,11 +35,13 @@ public:
 
     /// In about [−1, 1]: divided by the sum of the amplitudes.
     double operator()(glm::dvec2 position) const;
-    /// In [0, 1], with sharp crests where an octave changes its sign (Musgrave's ridged fractal, unweighted).
-    double ridged(glm::dvec2 position) const;
 
 private:
-    std::vector<PeriodicNoise> octaves_;
+    struct Octave {
+        PeriodicNoise noise;
+        glm::dvec2 shift;
+    };
+    std::vector<Octave> octaves_;
     double gain_;
 };
 

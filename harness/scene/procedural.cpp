@@ -11,6 +11,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <numbers>
@@ -72,106 +73,149 @@ Pattern bricks(Resolution size, std::uint64_t seed) {
     };
 }
 
-/// Domes over the cells of a Voronoi diagram of jittered grid points.
-class Cobbles {
+/// One random point in each cell of a square grid that repeats: the feature points of Worley's cellular patterns.
+class FeaturePoints {
 public:
-    Cobbles(Resolution size, std::uint64_t seed)
-        : seed_(seed), grain_({24, resolved_octaves(24, size, 4), 0.55}, mix_bits(seed ^ 3)) {
-        for (int y = 0; y < grid; ++y) {
-            for (int x = 0; x < grid; ++x) {
-                points_.emplace_back(0.5 + jitter * (random_at(mix_bits(seed ^ 1), x, y) - 0.5),
-                                     0.5 + jitter * (random_at(mix_bits(seed ^ 2), x, y) - 0.5));
+    struct Point {
+        /// In cells, relative to the grid's origin.
+        glm::dvec2 position;
+        /// The cell it lies in, wrapped.
+        int column = 0;
+        int row = 0;
+    };
+
+    FeaturePoints(int grid, double jitter, std::uint64_t seed) : grid_(grid) {
+        for (int y = -reach; y < grid + reach; ++y) {
+            for (int x = -reach; x < grid + reach; ++x) {
+                const int column = wrap(x, grid);
+                const int row = wrap(y, grid);
+                const glm::dvec2 offset{random_at(mix_bits(seed ^ 1), column, row) - 0.5,
+                                        random_at(mix_bits(seed ^ 2), column, row) - 0.5};
+                points_.push_back({glm::dvec2(x, y) + 0.5 + jitter * offset, column, row});
             }
         }
     }
 
-    double operator()(glm::dvec2 position) const {
-        const glm::dvec2 scaled = position * double(grid);
-        const int column = static_cast<int>(std::floor(scaled.x));
-        const int row = static_cast<int>(std::floor(scaled.y));
-        glm::dvec2 nearest{0.0};
-        glm::ivec2 stone{0};
-        double nearest_distance = std::numeric_limits<double>::infinity();
-        for_neighbours(column, row, [&](int x, int y, glm::dvec2 point) {
-            const double distance = glm::length(point - scaled);
-            if (distance < nearest_distance) {
-                nearest_distance = distance;
-                nearest = point;
-                stone = {wrap(x, grid), wrap(y, grid)};
+    int grid() const { return grid_; }
+
+    /// The points of the 5×5 cells around `position` (in cells, inside the grid).
+    template <typename Body>
+    void for_neighbours(glm::dvec2 position, const Body& body) const {
+        const int column = static_cast<int>(position.x);
+        const int row = static_cast<int>(position.y);
+        for (int y = row; y <= row + 2 * reach; ++y) {
+            const Point* points = points_.data() + static_cast<std::ptrdiff_t>(y) * (grid_ + 2 * reach);
+            for (int x = column; x <= column + 2 * reach; ++x)
+                body(points[x]);
+        }
+    }
+
+private:
+    static constexpr int reach = 2;
+    int grid_;
+    std::vector<Point> points_;
+};
+
+/// Domes over the cells of a Voronoi diagram.
+Pattern cobbles(Resolution size, std::uint64_t seed) {
+    constexpr double corner_sharpness = 18;
+    // In cells of the grid.
+    constexpr double gap = 0.03;
+    constexpr double dome_width = 0.42;
+    const FeaturePoints centres(8, 0.75, mix_bits(seed ^ 1));
+    const FractalNoise grain({24, resolved_octaves(24, size, 4), 0.55}, mix_bits(seed ^ 2));
+    return [=](glm::dvec2 position) {
+        const glm::dvec2 scaled = position * double(centres.grid());
+        const FeaturePoints::Point* stone = nullptr;
+        double nearest = std::numeric_limits<double>::infinity();
+        centres.for_neighbours(scaled, [&](const FeaturePoints::Point& point) {
+            const glm::dvec2 apart = point.position - scaled;
+            const double squared_distance = glm::dot(apart, apart);
+            if (squared_distance < nearest) {
+                nearest = squared_distance;
+                stone = &point;
             }
         });
 
         // A smooth minimum of the distances to the cell's edges rounds the stone's corners.
-        double sum = 0;
-        for_neighbours(column, row, [&](int, int, glm::dvec2 point) {
-            if (point == nearest) return;
-            const glm::dvec2 apart = point - nearest;
-            const double to_edge = glm::dot((nearest + point) * 0.5 - scaled, apart) / glm::length(apart);
-            sum += std::exp(-corner_sharpness * to_edge);
+        double sum = std::exp(-corner_sharpness);
+        centres.for_neighbours(scaled, [&](const FeaturePoints::Point& point) {
+            if (&point == stone) return;
+            const glm::dvec2 apart = point.position - stone->position;
+            const glm::dvec2 middle = (point.position + stone->position) * 0.5;
+            const double to_edge = glm::dot(middle - scaled, apart) / glm::length(apart);
+            if (to_edge < 1) sum += std::exp(-corner_sharpness * to_edge);
         });
         const double to_edge = -std::log(sum) / corner_sharpness;
 
-        const double grain = grain_(position);
-        const double ground = 0.10 + 0.10 * grain;
+        const double rough = grain(position);
+        const double ground = 0.10 + 0.10 * rough;
         const double inside = std::clamp((to_edge - gap) / dome_width, 0.0, 1.0);
         const double dome = std::sqrt(1 - (1 - inside) * (1 - inside));
-        const double top = 0.72 + 0.25 * random_at(mix_bits(seed_ ^ 4), stone.x, stone.y) + 0.05 * grain;
+        const double top = 0.72 + 0.25 * random_at(mix_bits(seed ^ 4), stone->column, stone->row) + 0.05 * rough;
         return std::lerp(ground, top, dome);
-    }
-
-private:
-    template <typename Body>
-    void for_neighbours(int column, int row, const Body& body) const {
-        for (int y = row - 2; y <= row + 2; ++y) {
-            for (int x = column - 2; x <= column + 2; ++x) {
-                body(x, y, glm::dvec2(x, y) + points_[wrap(y, grid) * grid + wrap(x, grid)]);
-            }
-        }
-    }
-
-    static constexpr int grid = 8;
-    static constexpr double jitter = 0.75;
-    static constexpr double corner_sharpness = 18;
-    // In cells of the grid.
-    static constexpr double gap = 0.03;
-    static constexpr double dome_width = 0.42;
-
-    std::uint64_t seed_;
-    FractalNoise grain_;
-    std::vector<glm::dvec2> points_;
-};
-
-Pattern cobbles(Resolution size, std::uint64_t seed) {
-    return Cobbles(size, seed);
-}
-
-/// Ridged fractal noise, its domain bent by more noise (Quilez, "domain warping").
-Pattern rock(Resolution size, std::uint64_t seed) {
-    constexpr double bend = 0.06;
-    const FractalNoise bend_x({3, resolved_octaves(3, size, 3), 0.5}, mix_bits(seed ^ 1));
-    const FractalNoise bend_y({3, resolved_octaves(3, size, 3), 0.5}, mix_bits(seed ^ 2));
-    const FractalNoise ridges({3, resolved_octaves(3, size, 8), 0.5}, mix_bits(seed ^ 3));
-    const FractalNoise mass({2, resolved_octaves(2, size, 3), 0.5}, mix_bits(seed ^ 4));
-    return [=](glm::dvec2 position) {
-        const glm::dvec2 bent = position + bend * glm::dvec2(bend_x(position), bend_y(position));
-        return 0.7 * ridges.ridged(bent) + 0.5 * mass(bent);
     };
 }
 
-/// A few sines whose crests are narrower than their troughs: smooth to any order, no wave shorter than a fifth of the
-/// patch.
+/// The upper envelope of tilted paraboloids, one per feature point: broken faces that meet in creases.
+class BrokenFaces {
+public:
+    BrokenFaces(int grid, std::uint64_t seed) : points_(grid, 0.9, mix_bits(seed ^ 1)), faces_({grid, grid}) {
+        Random random(mix_bits(seed ^ 2));
+        for (Face& face : faces_.texels) {
+            face = {{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)}, random.uniform(-0.3, 0.3)};
+        }
+    }
+
+    double operator()(glm::dvec2 position) const {
+        const glm::dvec2 scaled = (position - glm::floor(position)) * double(points_.grid());
+        double envelope = -std::numeric_limits<double>::infinity();
+        points_.for_neighbours(scaled, [&](const FeaturePoints::Point& point) {
+            const Face& face = faces_.at(point.column, point.row);
+            const glm::dvec2 apart = scaled - point.position;
+            envelope = std::max(envelope, face.height + glm::dot(face.tilt, apart) - 0.3 * glm::dot(apart, apart));
+        });
+        return envelope;
+    }
+
+private:
+    struct Face {
+        glm::dvec2 tilt;
+        double height = 0;
+    };
+    FeaturePoints points_;
+    Image<Face> faces_;
+};
+
+/// Broken faces of two sizes on a fractal mass, bent by noise, with fractal grain down to the texel.
+Pattern rock(Resolution size, std::uint64_t seed) {
+    constexpr double bend = 0.03;
+    const BrokenFaces boulders(4, mix_bits(seed ^ 1));
+    const BrokenFaces chips(11, mix_bits(seed ^ 2));
+    const FractalNoise bend_x({5, resolved_octaves(5, size, 3), 0.5}, mix_bits(seed ^ 3));
+    const FractalNoise bend_y({5, resolved_octaves(5, size, 3), 0.5}, mix_bits(seed ^ 4));
+    const FractalNoise mass({2, resolved_octaves(2, size, 2), 0.5}, mix_bits(seed ^ 5));
+    const FractalNoise grain({12, resolved_octaves(12, size, 6), 0.6}, mix_bits(seed ^ 6));
+    return [=](glm::dvec2 position) {
+        const glm::dvec2 bent = position + bend * glm::dvec2(bend_x(position), bend_y(position));
+        return boulders(bent) + 0.45 * chips(bent) + 0.35 * mass(bent) + 0.10 * grain(position);
+    };
+}
+
+/// A few wave trains in nearly one direction, crests narrower than troughs: smooth to any order, no wave shorter than a
+/// sixth of the patch.
 Pattern waves(Resolution, std::uint64_t seed) {
     struct Wave {
         glm::dvec2 number;
         double amplitude;
         double phase;
     };
-    constexpr std::array<std::array<int, 2>, 6> numbers{{{1, 3}, {2, 2}, {0, 4}, {-1, 4}, {3, 1}, {2, -3}}};
+    constexpr std::array<std::array<int, 2>, 6> numbers{{{0, 3}, {1, 3}, {-1, 4}, {2, 3}, {-2, 4}, {1, 5}}};
     std::vector<Wave> components;
     Random random(seed);
     for (const auto& [across, up] : numbers) {
         const glm::dvec2 number(across, up);
-        components.push_back({number, random.uniform(0.6, 1.0) / glm::length(number), random.uniform()});
+        components.push_back({number, random.uniform(1.5, 3.0) / glm::dot(number, number), random.uniform()});
     }
     return [=](glm::dvec2 position) {
         double height = 0;
@@ -185,7 +229,7 @@ Pattern waves(Resolution, std::uint64_t seed) {
 
 /// Terraces: smooth hills cut to a few levels, so that neighbouring texels differ by nothing or by a whole cliff.
 Pattern steps(Resolution, std::uint64_t seed) {
-    constexpr int levels = 7;
+    constexpr int levels = 6;
     const FractalNoise hills({2, 3, 0.45}, mix_bits(seed ^ 1));
     return [=](glm::dvec2 position) {
         const double height = 0.5 + 0.9 * hills(position);
@@ -219,8 +263,8 @@ public:
         for (int row = 0; row < rows; ++row) {
             for (int column = 0; column < columns; ++column) {
                 const glm::dvec2 cell(double(heights_.size.width) / columns, double(heights_.size.height) / rows);
-                const glm::dvec2 place((column + random_.uniform(0.3, 0.7)) * cell.x,
-                                       (row + random_.uniform(0.3, 0.7)) * cell.y);
+                const glm::dvec2 place((column + random_.uniform(0.15, 0.85)) * cell.x,
+                                       (row + random_.uniform(0.15, 0.85)) * cell.y);
                 if (random_.uniform() < wall_share) {
                     wall(place, cell);
                 } else {
@@ -295,7 +339,7 @@ const std::vector<Generator>& generators() {
     static const std::vector<Generator> all{
         {{"bricks", "brick wall in running bond, deep joints, each brick a little off"}, from_pattern<bricks>},
         {{"cobbles", "round stones over the cells of a Voronoi diagram"}, from_pattern<cobbles>},
-        {{"rock", "craggy rock: warped, ridged fractal noise with detail down to the texel"}, from_pattern<rock>},
+        {{"rock", "craggy rock: broken faces on fractal noise, with detail down to the texel"}, from_pattern<rock>},
         {{"waves", "smooth water: a few long waves, for orders of convergence"}, from_pattern<waves>},
         {{"spikes", "needles and walls one to three texels thin, which coarse marching misses"}, spikes},
         {{"steps", "terraces with vertical cliffs between neighbouring texels"}, from_pattern<steps>},
