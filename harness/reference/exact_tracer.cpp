@@ -1,6 +1,7 @@
 #include "reference/exact_tracer.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -13,30 +14,42 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Past h = 0, where no surface is: a ray that has come this far is beneath the sheet.
 constexpr double surely_below = 1.5;
 
-/// A descending ray in cell coordinates: texel (i, j) has its centre at (i, j), and at the parameter s the ray is at
-/// height h = 1 − s above the point (x + s·dx, y + s·dy).
-struct SlabRay {
-    double x = 0;
-    double y = 0;
-    double dx = 0;
-    double dy = 0;
-    double first = 0;
-    double last = surely_below;
+/// One coordinate of a descending ray, in cells: texel i has its centre at i, and at the parameter s the ray is at
+/// origin + s·step.
+struct Axis {
+    double origin = 0;
+    double step = 0;
+    double inverse_step = infinity;
+
+    /// Steps too short to leave a cell within the slab count as none, so that their reciprocal cannot overflow.
+    Axis(double o, double d) : origin(o), step(std::abs(d) < 1e-100 ? 0.0 : d) {
+        if (step != 0) {
+            inverse_step = 1 / step;
+        }
+    }
+
+    double at(double s) const { return origin + s * step; }
 };
 
-/// Narrows [first, last] to where origin + s·step lies in [low, high].
-void clip_axis(double origin, double step, double low, double high, double& first, double& last) {
-    if (step == 0) {
-        if (origin < low || origin > high) {
-            last = -infinity;
+/// A descending ray: at the parameter s it is at height h = 1 − s.
+struct SlabRay {
+    Axis x;
+    Axis y;
+    double first = 0;
+    double last = surely_below;
+
+    /// Narrows [first, last] to where a coordinate lies in [low, high].
+    void clip(const Axis& axis, double low, double high) {
+        if (axis.step == 0) {
+            last = axis.origin < low || axis.origin > high ? -infinity : last;
+            return;
         }
-        return;
+        const double a = (low - axis.origin) * axis.inverse_step;
+        const double b = (high - axis.origin) * axis.inverse_step;
+        first = std::max(first, std::min(a, b));
+        last = std::min(last, std::max(a, b));
     }
-    const double a = (low - origin) / step;
-    const double b = (high - origin) / step;
-    first = std::max(first, std::min(a, b));
-    last = std::min(last, std::max(a, b));
-}
+};
 
 /// Height above the sheet along a ray inside one cell, f(s) = (a·s + b)·s + c with s counted from where the ray enters
 /// the cell.
@@ -72,7 +85,8 @@ struct Position {
     int row = 0;
 };
 
-/// One ray's walk through the hierarchy. `right` and `up` say whether the cell coordinates grow along the ray (or stay).
+/// One ray's walk through the hierarchy. `right` and `up` say whether the cell coordinates grow along the ray (or
+/// stay).
 template <bool right, bool up>
 class Walk {
 public:
@@ -82,11 +96,9 @@ public:
           height_(map.height()),
           maxima_(maxima),
           ray_(ray),
-          inverse_dx_(1 / ray.dx),
-          inverse_dy_(1 / ray.dy),
           s_(ray.first) {
-        enter(ray.x + s_ * ray.dx, width_, position_.base_x, position_.column);
-        enter(ray.y + s_ * ray.dy, height_, position_.base_y, position_.row);
+        enter(ray.x.at(s_), width_, position_.base_x, position_.column);
+        enter(ray.y.at(s_), height_, position_.base_y, position_.row);
         above_ = s_ <= 0 || quadratic(corners()).c >= 0;
     }
 
@@ -95,8 +107,8 @@ public:
     /// `above_` is carried from cell to cell and never worked out anew at a border, so whatever rounding does there, a
     /// ray that was above the sheet and is below it has been given a hit in between.
     double run() {
-        const int top = maxima_.top_level();
-        int level = above_ ? first_level() : 0;
+        const int top = top_level();
+        int level = above_ ? top : 0;
         while (s_ < ray_.last) {
             const Exit exit = node_exit(level);
             if (level == 0) {
@@ -105,14 +117,13 @@ public:
                     return hit;
                 }
             } else {
-                const double height = maxima_.level(level).at(position_.column >> level, position_.row >> level);
-                if (1 - exit.s < height) {
-                    advance_inside(std::min(1 - height, exit.s), level);
+                const float maximum = maxima_.at(level, position_.column >> level, position_.row >> level);
+                if (1 - exit.s < maximum) {
                     --level;
                     continue;
                 }
             }
-            if (exit.s >= ray_.last) {
+            if (exit.s >= ray_.last || (!above_ && exit.s > 1)) {
                 break;
             }
             const bool new_parent = leave(exit, level);
@@ -131,22 +142,21 @@ private:
 
     struct Corners {
         float h00, h10, h01, h11;
+        float minimum() const { return std::min(std::min(h00, h10), std::min(h01, h11)); }
         float maximum() const { return std::max(std::max(h00, h10), std::max(h01, h11)); }
     };
 
-    /// Nodes about as large as a quarter of the ray's way through the slab.
-    int first_level() const {
-        const double extent = std::max(std::abs(ray_.dx), std::abs(ray_.dy));
-        return std::clamp(std::ilogb(extent + 1) - 2, 1, maxima_.top_level());
+    /// Nodes of about a quarter of the ray's way through the slab: larger ones hardly ever let it pass.
+    int top_level() const {
+        const double extent = std::min(std::max(std::abs(ray_.x.step), std::abs(ray_.y.step)), 1e9);
+        const int bits = static_cast<int>(std::bit_width(static_cast<unsigned>(extent)));
+        return std::clamp(bits - 3, 1, maxima_.top_level());
     }
 
     static void enter(double coordinate, int size, double& base, int& cell) {
-        base = std::floor(coordinate / size) * size;
-        cell = std::clamp(static_cast<int>(std::floor(coordinate - base)), 0, size - 1);
+        base = coordinate >= 0 && coordinate < size ? 0.0 : std::floor(coordinate / size) * size;
+        cell = std::clamp(static_cast<int>(coordinate - base), 0, size - 1);
     }
-
-    double x_at(double s) const { return ray_.x + s * ray_.dx; }
-    double y_at(double s) const { return ray_.y + s * ray_.dy; }
 
     static int wall(int cell, int level, int size, bool forward) {
         const int node = cell >> level;
@@ -156,23 +166,14 @@ private:
     Exit node_exit(int level) const {
         const double wall_x = position_.base_x + wall(position_.column, level, width_, right);
         const double wall_y = position_.base_y + wall(position_.row, level, height_, up);
-        const double s_x = (wall_x - ray_.x) * inverse_dx_;
-        const double s_y = (wall_y - ray_.y) * inverse_dy_;
+        const double s_x = (wall_x - ray_.x.origin) * ray_.x.inverse_step;
+        const double s_y = (wall_y - ray_.y.origin) * ray_.y.inverse_step;
         return {std::max(std::min(std::min(s_x, s_y), ray_.last), s_), s_x <= s_y};
     }
 
-    /// To a later point of the same node. Cells only ever change in the ray's direction: rounding cannot send it back.
-    void advance_inside(double s, int level) {
-        if (s <= s_) {
-            return;
-        }
-        s_ = s;
-        position_.column = advance_cell(x_at(s) - position_.base_x, position_.column, level, width_, right);
-        position_.row = advance_cell(y_at(s) - position_.base_y, position_.row, level, height_, up);
-    }
-
+    /// Cells only ever change in the ray's direction, so rounding cannot send it back.
     static int advance_cell(double coordinate, int cell, int level, int size, bool forward) {
-        const int reached = static_cast<int>(std::floor(coordinate));
+        const int reached = static_cast<int>(coordinate);  // not floor: what is negative is clamped anyway
         const int limit = wall(cell, level, size, forward);
         return forward ? std::clamp(reached, cell, limit - 1) : std::clamp(reached, limit, cell);
     }
@@ -182,10 +183,11 @@ private:
         const int parent_column = position_.column >> (level + 1);
         const int parent_row = position_.row >> (level + 1);
         if (exit.through_x) {
-            position_.row = advance_cell(y_at(exit.s) - position_.base_y, position_.row, level, height_, up);
+            position_.row = advance_cell(ray_.y.at(exit.s) - position_.base_y, position_.row, level, height_, up);
             cross(position_.column, position_.base_x, level, width_, right);
         } else {
-            position_.column = advance_cell(x_at(exit.s) - position_.base_x, position_.column, level, width_, right);
+            position_.column =
+                advance_cell(ray_.x.at(exit.s) - position_.base_x, position_.column, level, width_, right);
             cross(position_.row, position_.base_y, level, height_, up);
         }
         s_ = exit.s;
@@ -212,15 +214,15 @@ private:
     }
 
     CellQuadratic quadratic(const Corners& corner) const {
-        const double x = x_at(s_) - (position_.base_x + position_.column);
-        const double y = y_at(s_) - (position_.base_y + position_.row);
+        const double x = ray_.x.at(s_) - (position_.base_x + position_.column);
+        const double y = ray_.y.at(s_) - (position_.base_y + position_.row);
         const double h00 = corner.h00;
         const double along_x = corner.h10 - h00;
         const double along_y = corner.h01 - h00;
         const double twist = (corner.h11 - static_cast<double>(corner.h01)) - along_x;
         CellQuadratic f;
-        f.a = -twist * ray_.dx * ray_.dy;
-        f.b = -1 - ((along_x + twist * y) * ray_.dx + (along_y + twist * x) * ray_.dy);
+        f.a = -twist * ray_.x.step * ray_.y.step;
+        f.b = -1 - ((along_x + twist * y) * ray_.x.step + (along_y + twist * x) * ray_.y.step);
         f.c = (1 - s_) - (h00 + along_x * x + (along_y + twist * x) * y);
         return f;
     }
@@ -230,6 +232,9 @@ private:
         const Corners corner = corners();
         if (1 - exit >= corner.maximum()) {
             above_ = true;
+            return -1;
+        }
+        if (!above_ && 1 - s_ < corner.minimum()) {
             return -1;
         }
         const double length = exit - s_;
@@ -249,22 +254,17 @@ private:
     int height_;
     const MaximumMipChain& maxima_;
     SlabRay ray_;
-    double inverse_dx_;
-    double inverse_dy_;
     double s_;
     Position position_;
     bool above_ = true;
 };
 
 double first_crossing(const HeightMap& map, const MaximumMipChain& maxima, const SlabRay& ray) {
-    if (ray.dx >= 0) {
-        return ray.dy >= 0 ? Walk<true, true>(map, maxima, ray).run() : Walk<true, false>(map, maxima, ray).run();
+    if (ray.x.step >= 0) {
+        return ray.y.step >= 0 ? Walk<true, true>(map, maxima, ray).run() : Walk<true, false>(map, maxima, ray).run();
     }
-    return ray.dy >= 0 ? Walk<false, true>(map, maxima, ray).run() : Walk<false, false>(map, maxima, ray).run();
+    return ray.y.step >= 0 ? Walk<false, true>(map, maxima, ray).run() : Walk<false, false>(map, maxima, ray).run();
 }
-
-/// Steps too short to leave a cell within the slab count as none, so that no reciprocal of them overflows.
-double step_or_zero(double step) { return std::abs(step) < 1e-100 ? 0.0 : step; }
 
 }  // namespace
 
@@ -276,8 +276,9 @@ std::optional<ExactHit> ExactTracer::trace(const Ray& ray) const {
     if (!(ray.direction.z < 0)) {
         return std::nullopt;
     }
-    const double t_top = -ray.origin.z / ray.direction.z;
-    const double t_per_s = -relief_.height_scale / ray.direction.z;
+    const double t_per_z = 1 / ray.direction.z;
+    const double t_top = -ray.origin.z * t_per_z;
+    const double t_per_s = -relief_.height_scale * t_per_z;
     const double u = ray.origin.x + t_top * ray.direction.x + 0.5;
     const double v = ray.origin.y + t_top * ray.direction.y + 0.5;
     const double du = t_per_s * ray.direction.x;
@@ -285,15 +286,13 @@ std::optional<ExactHit> ExactTracer::trace(const Ray& ray) const {
     const double columns = relief_.tiling * map_->width();
     const double rows = relief_.tiling * map_->height();
 
-    SlabRay slab;
-    slab.x = u * columns - 0.5;
-    slab.y = v * rows - 0.5;
-    slab.dx = step_or_zero(du * columns);
-    slab.dy = step_or_zero(dv * rows);
-    slab.first = std::max(0.0, -t_top / t_per_s);
+    SlabRay slab{Axis(u * columns - 0.5, du * columns), Axis(v * rows - 0.5, dv * rows)};
+    if (t_top < 0) {
+        slab.first = -t_top / t_per_s;
+    }
     if (relief_.boundary == Boundary::clip) {
-        clip_axis(u, du, 0, 1, slab.first, slab.last);
-        clip_axis(v, dv, 0, 1, slab.first, slab.last);
+        slab.clip(slab.x, -0.5, columns - 0.5);
+        slab.clip(slab.y, -0.5, rows - 0.5);
     }
     if (slab.first > slab.last || slab.first > 1) {
         return std::nullopt;
@@ -302,7 +301,7 @@ std::optional<ExactHit> ExactTracer::trace(const Ray& ray) const {
     if (s < 0) {
         return std::nullopt;
     }
-    return ExactHit{u + s * du, v + s * dv, 1 - s, t_top + s * t_per_s};
+    return ExactHit{u + s * du, v + s * dv, std::max(1 - s, 0.0), t_top + s * t_per_s};
 }
 
 }  // namespace reliefbench

@@ -12,22 +12,29 @@ namespace reliefbench {
 /// that of its four texels.
 class MaximumMipChain {
 public:
-    struct Level {
-        int columns = 0;
-        int rows = 0;
-        std::vector<float> maxima;
-
-        float at(int column, int row) const { return maxima[static_cast<std::size_t>(row) * columns + column]; }
-    };
-
     explicit MaximumMipChain(const HeightMap& map);
 
-    /// 1 ≤ k ≤ top_level(); the top level is one node.
-    const Level& level(int k) const { return levels_[static_cast<std::size_t>(k) - 1]; }
-    int top_level() const { return static_cast<int>(levels_.size()); }
+    /// The top level is one node.
+    int top_level() const { return static_cast<int>(levels_.size()) - 1; }
+
+    /// 1 ≤ level ≤ top_level().
+    float at(int level, int column, int row) const {
+        const Level& nodes = levels_[static_cast<std::size_t>(level)];
+        return maxima_[nodes.first + static_cast<std::size_t>(row) * nodes.columns + static_cast<std::size_t>(column)];
+    }
 
 private:
+    struct Level {
+        std::size_t first = 0;
+        std::size_t columns = 0;
+        std::size_t rows = 0;
+    };
+
+    void fill_first_level(const HeightMap& map);
+    void fill_level(const Level& finer, const Level& level);
+
     std::vector<Level> levels_;
+    std::vector<float> maxima_;
 };
 
 }  // namespace reliefbench

@@ -5,6 +5,7 @@
 #include "scene/hit.hpp"
 #include "scene/lighting.hpp"
 #include "scene/relief.hpp"
+#include "scene/shading_normal.hpp"
 
 #include <glm/vec3.hpp>
 
@@ -14,9 +15,5 @@ namespace reliefbench {
 /// `normal` and `to_eye` are unit vectors in world space, `t` the distance along the ray (fog).
 glm::dvec3 shade(const Lighting& lighting, glm::dvec3 albedo, glm::dvec3 normal, glm::dvec3 to_eye, double t,
                  double light_visibility = 1.0);
-
-/// normalize(−H·tiling·∂h/∂u, −H·tiling·∂h/∂v, 1) from the derivative texture, bilinear at texture coordinates
-/// tiling·(u, v).
-glm::dvec3 shading_normal(const Image<std::array<float, 2>>& derivatives, const Relief& relief, double u, double v);
 
 }  // namespace reliefbench
