@@ -29,10 +29,12 @@ struct HitErrors {
     /// covers. `covered` is empty when there are none.
     std::size_t outside_quad_pixels = 0;
     std::optional<double> outside_quad_covered;
-    /// Intersection over union of the covered pixels, whole image; 1 when both are empty.
+    /// Intersection over union of the covered pixels; 1 when both are empty. Over the whole image, or over the
+    /// footprint for Boundary::repeat, whose truth ends there.
     double coverage_iou = 1;
 };
 
+/// A technique's hit with a number that is not finite (a shader's division by zero) counts as a miss.
 HitErrors compare_hits(const HitImage& technique, const HitImage& truth, const Image<std::uint8_t>& footprint,
                        const HeightMap& map, const Relief& relief);
 
