@@ -1,0 +1,30 @@
+#include "verify/check_list.hpp"
+
+#include "core/error.hpp"
+
+namespace reliefbench {
+
+CheckList::CheckList(const gpu::Device& device, const Technique& technique,
+                     const std::function<void(const Check&)>& on_check)
+    : device_(&device), technique_(&technique), on_check_(on_check), scenes_(device) {}
+
+double CheckList::filter_deviation() {
+    if (filter_deviation_ < 0) filter_deviation_ = measure_filter_deviation(*device_, HeightFormat::r16);
+    return filter_deviation_;
+}
+
+bool CheckList::check(const std::string& name, const std::string& circumstances, const std::function<Finding()>& body) {
+    Check check{manifest().id, name, circumstances, false, {}};
+    try {
+        const Finding finding = body();
+        check.passed = finding.passed;
+        check.detail = finding.detail;
+    } catch (const Error& error) {
+        check.detail = error.what();
+    }
+    checks_.push_back(check);
+    if (on_check_) on_check_(check);
+    return check.passed;
+}
+
+}  // namespace reliefbench

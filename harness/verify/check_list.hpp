@@ -1,0 +1,45 @@
+#pragma once
+
+#include "verify/circumstance.hpp"
+#include "verify/conformance.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace reliefbench {
+
+/// What a check found: whether the bound holds, and the figures.
+struct Finding {
+    bool passed = false;
+    std::string detail;
+};
+
+/// The technique under test, the scenes it is tested on, and the checks done so far.
+class CheckList {
+public:
+    CheckList(const gpu::Device& device, const Technique& technique, const std::function<void(const Check&)>& on_check);
+
+    const gpu::Device& device() const { return *device_; }
+    const Technique& technique() const { return *technique_; }
+    const Manifest& manifest() const { return technique_->manifest; }
+    SceneCollection& scenes() { return scenes_; }
+    /// δ of r16, measured when first asked for.
+    double filter_deviation();
+
+    /// Runs `body` and records what it found; an Error (a shader that does not compile, a lost device) is a failure
+    /// with its message. Returns whether it passed.
+    bool check(const std::string& name, const std::string& circumstances, const std::function<Finding()>& body);
+
+    std::vector<Check> take() { return std::move(checks_); }
+
+private:
+    const gpu::Device* device_;
+    const Technique* technique_;
+    std::function<void(const Check&)> on_check_;
+    SceneCollection scenes_;
+    double filter_deviation_ = -1;
+    std::vector<Check> checks_;
+};
+
+}  // namespace reliefbench

@@ -1,0 +1,102 @@
+#include "verify/circumstance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace reliefbench {
+
+namespace {
+
+Albedo coordinates_as_albedo(Resolution size) {
+    Albedo albedo{Image<std::array<float, 4>>(size), Albedo::Format::float32};
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            albedo.texels.at(x, y) = {(static_cast<float>(x) + 0.5F) / static_cast<float>(size.width),
+                                      (static_cast<float>(y) + 0.5F) / static_cast<float>(size.height), 0, 1};
+        }
+    }
+    return albedo;
+}
+
+}  // namespace
+
+std::string describe(const Circumstance& circumstance) {
+    const View& view = circumstance.view;
+    std::string text = fmt::format("{} {}×{}, {} {}°, azimuth {}°, H {}", circumstance.map, circumstance.map_size.width,
+                                   circumstance.map_size.height, to_string(view.camera.projection),
+                                   view.camera.view_angle, view.camera.azimuth, view.relief.height_scale);
+    if (view.relief.tiling != 1) text += fmt::format(", tiling {}", view.relief.tiling);
+    if (view.relief.boundary == Boundary::repeat) text += ", repeated";
+    return text;
+}
+
+std::string describe(const ParameterValues& parameters, const Manifest& manifest) {
+    const ParameterValues defaults = manifest.defaults();
+    std::string text;
+    for (const auto& [name, value] : parameters) {
+        if (defaults.at(name) == value) continue;
+        text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, to_string(value));
+    }
+    return text.empty() ? "defaults" : text;
+}
+
+CoordinateScene::CoordinateScene(const gpu::Device& device, HeightMap height_map)
+    : map(std::move(height_map)), albedo(coordinates_as_albedo(map.heights.size)), on_device(device, map, albedo) {}
+
+Lighting coordinate_lighting() {
+    Lighting lighting;
+    lighting.enabled = false;
+    lighting.background = {-1, -1, -1};
+    return lighting;
+}
+
+const CoordinateScene& SceneCollection::get(const std::string& map, Resolution size) {
+    auto& scene = scenes_[{map, size.width, size.height}];
+    if (!scene) {
+        HeightMapSource source;
+        source.name = map;
+        source.size = size;
+        scene = std::make_unique<CoordinateScene>(*device_, load_height_map(source, HeightFormat::r16));
+    }
+    return *scene;
+}
+
+Comparison compare_with_truth(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
+                              const CoordinateScene& scene, const View& view) {
+    const Lighting lighting = coordinate_lighting();
+    Renderer renderer(device, technique, parameters, scene.on_device, view, lighting);
+    renderer.prepare();
+    Comparison comparison;
+    comparison.probe = renderer.probe();
+    comparison.truth = trace_exact_truth(scene.map, scene.albedo, view, lighting);
+    comparison.errors =
+        compare_hits(comparison.probe.hits, comparison.truth.hits, comparison.truth.footprint, scene.map, view.relief);
+    return comparison;
+}
+
+double texels_through_relief(const View& view, const HeightMap& map, int i, int j) {
+    const glm::dvec3 direction = pixel_ray(view.camera, view.resolution, i, j).direction;
+    return view.relief.height_scale * view.relief.tiling *
+           std::hypot(direction.x * map.width(), direction.y * map.height()) / std::abs(direction.z);
+}
+
+double most_texels_through_relief(const View& view, const HeightMap& map, const Image<std::uint8_t>& footprint) {
+    double most = 0;
+    for (int j = 0; j < view.resolution.height; ++j) {
+        for (int i = 0; i < view.resolution.width; ++i) {
+            if (footprint.at(i, j) != 0) most = std::max(most, texels_through_relief(view, map, i, j));
+        }
+    }
+    return most;
+}
+
+ParameterValues with_values(const Manifest& manifest, const ParameterValues& changed) {
+    ParameterValues values = manifest.defaults();
+    for (const auto& [name, value] : changed)
+        values.at(name) = value;
+    return values;
+}
+
+}  // namespace reliefbench

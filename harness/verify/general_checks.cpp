@@ -1,0 +1,209 @@
+#include "verify/general_checks.hpp"
+
+#include "gpu/device.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr int resolution = 96;
+
+Circumstance circumstance(const std::string& map, Resolution size, Projection projection, double angle,
+                          double azimuth) {
+    View view;
+    view.camera.projection = projection;
+    view.camera.view_angle = angle;
+    view.camera.azimuth = azimuth;
+    view.relief.height_scale = 0.1;
+    view.resolution = {resolution, resolution};
+    return {map, size, view};
+}
+
+std::vector<Circumstance> picture_circumstances() {
+    std::vector<Circumstance> all{circumstance("rock", {96, 64}, Projection::perspective, 60, -70),
+                                  circumstance("cobbles", {64, 64}, Projection::parallel, 75, 20),
+                                  circumstance("spikes", {100, 60}, Projection::parallel, 30, -90)};
+    all.back().view.relief.boundary = Boundary::repeat;
+    return all;
+}
+
+/// The defaults, and each boolean and choice changed alone.
+std::vector<ParameterValues> variants(const Manifest& manifest) {
+    std::vector<ParameterValues> all{manifest.defaults()};
+    for (const Parameter& parameter : manifest.parameters) {
+        const auto add = [&](const ParameterValue& value) {
+            if (value == parameter.default_value) return;
+            all.push_back(with_values(manifest, {{parameter.name, value}}));
+        };
+        if (parameter.type == ParameterType::boolean) {
+            add(false);
+            add(true);
+        }
+        for (const std::string& choice : parameter.choices)
+            add(choice);
+    }
+    return all;
+}
+
+bool same_colour(const std::array<float, 4>& timed, const std::array<float, 3>& probed) {
+    return timed[0] == probed[0] && timed[1] == probed[1];
+}
+
+/// Texels between the places that two colours of a coordinate albedo encode.
+double texels_apart(const std::array<float, 4>& timed, const std::array<float, 3>& probed, const HeightMap& map) {
+    return std::hypot((timed[0] - probed[0]) * static_cast<float>(map.width()),
+                      (timed[1] - probed[1]) * static_cast<float>(map.height()));
+}
+
+Finding compare_pictures(const TimedPicture& timed, const Probe& probe, const HeightMap& map, bool bit_for_bit) {
+    constexpr double tolerance_texels = 0.5;
+    constexpr double tolerated_fraction = 0.001;
+    std::size_t different = 0;
+    double worst = 0;
+    for (std::size_t pixel = 0; pixel < timed.colour.texels.size(); ++pixel) {
+        const auto& timed_colour = timed.colour.texels[pixel];
+        const auto& probed_colour = probe.colour.texels[pixel];
+        const double apart = texels_apart(timed_colour, probed_colour, map);
+        const bool same = bit_for_bit ? same_colour(timed_colour, probed_colour) : apart <= tolerance_texels;
+        if (!same) ++different;
+        worst = std::max(worst, apart);
+    }
+    const double allowed = bit_for_bit ? 0 : tolerated_fraction * static_cast<double>(timed.colour.texels.size());
+    return {static_cast<double>(different) <= allowed,
+            fmt::format(
+                "{} of {} pixels differ, the worst by {:.3g} texels; {}", different, timed.colour.texels.size(), worst,
+                bit_for_bit ? "bit for bit on a CPU device" : "half a texel allowed, 0.1 % of pixels excepted")};
+}
+
+double depth_of(const glm::dmat4& clip_from_world, const Hit& hit, const Relief& relief) {
+    const glm::dvec4 clip =
+        clip_from_world * glm::dvec4(hit.u - 0.5, hit.v - 0.5, (hit.h - 1.0) * relief.height_scale, 1.0);
+    return clip.z / clip.w;
+}
+
+/// Coordinates finite and in range; t the distance of S(u, v) along the ray; the depth written that of S(u, v).
+Finding check_hits(const TimedPicture& timed, const Probe& probe, const View& view) {
+    constexpr double range_tolerance = 1e-6;  // u, v and h are floats near 1
+    constexpr double place_tolerance = 2e-5;  // t and depth go through a matrix in floats
+    std::size_t out_of_range = 0;
+    double worst_t = 0;
+    double worst_depth = 0;
+    std::size_t hits = 0;
+    const glm::dmat4 clip_from_world = reliefbench::clip_from_world(view.camera, view.resolution);
+    for (int j = 0; j < view.resolution.height; ++j) {
+        for (int i = 0; i < view.resolution.width; ++i) {
+            const Hit& hit = probe.hits.at(i, j);
+            const bool finite = std::isfinite(hit.u) && std::isfinite(hit.v) && std::isfinite(hit.h);
+            if (!finite || !std::isfinite(hit.t)) ++out_of_range;
+            if (!finite || !hit.is_hit()) continue;
+            ++hits;
+            const auto in_unit = [](double x) { return x >= -range_tolerance && x <= 1 + range_tolerance; };
+            const bool inside = view.relief.boundary == Boundary::repeat || (in_unit(hit.u) && in_unit(hit.v));
+            if (!inside || !in_unit(hit.h)) ++out_of_range;
+
+            const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
+            const glm::dvec3 point{hit.u - 0.5, hit.v - 0.5, (hit.h - 1.0) * view.relief.height_scale};
+            worst_t = std::max(worst_t, std::abs(glm::dot(point - ray.origin, ray.direction) - hit.t));
+            worst_depth =
+                std::max(worst_depth, std::abs(depth_of(clip_from_world, hit, view.relief) - timed.depth.at(i, j)));
+        }
+    }
+    return {hits > 0 && out_of_range == 0 && worst_t <= place_tolerance && worst_depth <= place_tolerance,
+            fmt::format("{} hits, {} not finite or out of range, t off by at most {:.2g}, depth by {:.2g} (bound {:g})",
+                        hits, out_of_range, worst_t, worst_depth, place_tolerance)};
+}
+
+/// Work counted over the draw, or over its pixels.
+double total_taps(const Probe& probe) {
+    double taps = probe.stages.taps;
+    for (const PixelWork& work : probe.work.texels)
+        taps += work.taps;
+    return taps;
+}
+
+std::size_t pixels_with_steps_but_no_taps(const Probe& probe) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        probe.work.texels, [](const PixelWork& work) { return work.steps > 0 && work.texels < 1; }));
+}
+
+}  // namespace
+
+bool check_compiles(CheckList& list) {
+    const Circumstance first = picture_circumstances().front();
+    return list.check("compiles", describe(list.manifest().defaults(), list.manifest()), [&]() -> Finding {
+        Renderer renderer(list.device(), list.technique(), list.manifest().defaults(),
+                          list.scenes().get(first.map, first.map_size).on_device, first.view, coordinate_lighting());
+        renderer.prepare();
+        renderer.draw_timed(ColourTarget::display);
+        renderer.probe();
+        return {true, "timed and probed, every stage"};
+    });
+}
+
+void check_pictures(CheckList& list) {
+    const bool bit_for_bit = list.device().info().type == gpu::DeviceType::cpu;
+    for (const ParameterValues& parameters : variants(list.manifest())) {
+        for (const Circumstance& where : picture_circumstances()) {
+            const std::string text = describe(parameters, list.manifest()) + "; " + describe(where);
+            TimedPicture timed;
+            Probe probe;
+            const CoordinateScene& scene = list.scenes().get(where.map, where.map_size);
+            const bool drawn = list.check("timed and probed agree", text, [&] {
+                Renderer renderer(list.device(), list.technique(), parameters, scene.on_device, where.view,
+                                  coordinate_lighting());
+                renderer.prepare();
+                timed = renderer.draw_timed(ColourTarget::linear_float);
+                probe = renderer.probe();
+                return compare_pictures(timed, probe, scene.map, bit_for_bit);
+            });
+            if (drawn) list.check("hits are in range", text, [&] { return check_hits(timed, probe, where.view); });
+        }
+    }
+}
+
+void check_polygon(CheckList& list) {
+    constexpr double tolerance_texels = 1e-3;
+    constexpr double tolerated_pixels = 0.005;  // the rasteriser decides pixel centres on the outline
+    const CoordinateScene ones(list.device(), make_height_map(Image<float>({32, 32}, 1.0F), HeightFormat::r16, "ones"));
+    for (const Projection projection : {Projection::perspective, Projection::parallel}) {
+        const Circumstance where = circumstance("ones", {32, 32}, projection, 60, -70);
+        list.check("a map of ones is the polygon", describe(where), [&]() -> Finding {
+            const HitErrors errors =
+                compare_with_truth(list.device(), list.technique(), list.manifest().defaults(), ones, where.view)
+                    .errors;
+            const double worst = errors.uv_texels ? errors.uv_texels->max : INFINITY;
+            const double wrong = errors.missed + errors.false_hits;
+            return {worst <= tolerance_texels && wrong <= tolerated_pixels,
+                    fmt::format("UV error at most {:.2g} texels (bound {:g}), missed + false hits {:.2g}", worst,
+                                tolerance_texels, wrong)};
+        });
+    }
+}
+
+void check_work(CheckList& list) {
+    const Circumstance where = picture_circumstances().front();
+    list.check("work is counted", describe(where), [&]() -> Finding {
+        const auto probe_map = [&](const CoordinateScene& scene) {
+            return compare_with_truth(list.device(), list.technique(), list.manifest().defaults(), scene, where.view)
+                .probe;
+        };
+        const Probe relief = probe_map(list.scenes().get(where.map, where.map_size));
+        const CoordinateScene ones(list.device(),
+                                   make_height_map(Image<float>(where.map_size, 1.0F), HeightFormat::r16, "ones"));
+        const bool reads_the_relief = relief.hits.texels != probe_map(ones).hits.texels;
+        const double taps = total_taps(relief);
+        const std::size_t uncounted = pixels_with_steps_but_no_taps(relief);
+        return {(taps > 0) == reads_the_relief && uncounted == 0,
+                fmt::format("{:.3g} taps in all; hits {} on the relief; {} pixels with steps but no texel read", taps,
+                            reads_the_relief ? "depend" : "do not depend", uncounted)};
+    });
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,103 @@
+#include "verify/promise_checks.hpp"
+
+#include "scene/procedural.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr double height_scale = 0.1;
+constexpr double tolerated_pixels = 0.005;
+
+/// Every procedural map at every angle; sizes, projections, azimuths, tilings and boundaries take turns.
+std::vector<Circumstance> intersection_circumstances() {
+    constexpr std::array<double, 4> angles{0, 45, 75, 85};
+    constexpr std::array<Resolution, 3> sizes{Resolution{128, 128}, Resolution{96, 160}, Resolution{64, 64}};
+    constexpr std::array<double, 3> azimuths{-90, -67, 25};
+    std::vector<Circumstance> all;
+    for (const ProceduralMap& map : procedural_maps()) {
+        for (const double angle : angles) {
+            const std::size_t turn = all.size() + all.size() / angles.size();
+            View view;
+            view.camera.projection = turn % 2 == 0 ? Projection::parallel : Projection::perspective;
+            view.camera.view_angle = angle;
+            view.camera.azimuth = azimuths[turn % azimuths.size()];
+            view.relief.height_scale = height_scale;
+            view.relief.tiling = turn % 5 == 3 ? 3 : 1;
+            view.relief.boundary = turn % 4 == 2 ? Boundary::repeat : Boundary::clip;
+            view.resolution = {96, 96};
+            all.push_back({map.name, sizes[turn % sizes.size()], view});
+        }
+    }
+    return all;
+}
+
+std::size_t unconverged_pixels(const Probe& probe) {
+    std::size_t count = 0;
+    for (const PixelWork& work : probe.work.texels)
+        count += work.unconverged;
+    return count;
+}
+
+/// Footprint pixels whose reported point lies more than half a texel and the floor beyond the first hit.
+std::size_t pixels_beyond(const Comparison& comparison, const HeightMap& map, const View& view, double deviation) {
+    constexpr double tolerance_texels = 0.5;
+    std::size_t beyond = 0;
+    for (int j = 0; j < view.resolution.height; ++j) {
+        for (int i = 0; i < view.resolution.width; ++i) {
+            const Hit& truth = comparison.truth.hits.at(i, j);
+            if (comparison.truth.footprint.at(i, j) == 0 || !truth.is_hit()) continue;
+            const Hit& hit = comparison.probe.hits.at(i, j);
+            const double stride = texels_through_relief(view, map, i, j);
+            const glm::dvec3 direction = pixel_ray(view.camera, view.resolution, i, j).direction;
+            const double texels_per_length = stride * std::abs(direction.z) / view.relief.height_scale;
+            const double texels = (hit.t - truth.t) * texels_per_length;
+            if (!hit.is_hit() || texels > tolerance_texels + deviation * stride) ++beyond;
+        }
+    }
+    return beyond;
+}
+
+}  // namespace
+
+void check_first_hit(CheckList& list, const PromiseDeclaration& declaration) {
+    constexpr double tolerance_texels = 0.1;
+    const ParameterValues parameters = with_values(list.manifest(), declaration.with);
+    for (const Circumstance& where : intersection_circumstances()) {
+        list.check("first_hit", describe(parameters, list.manifest()) + "; " + describe(where), [&]() -> Finding {
+            const CoordinateScene& scene = list.scenes().get(where.map, where.map_size);
+            const Comparison found = compare_with_truth(list.device(), list.technique(), parameters, scene, where.view);
+            const double floor =
+                list.filter_deviation() * most_texels_through_relief(where.view, scene.map, found.truth.footprint);
+            const double p99 = found.errors.uv_texels ? found.errors.uv_texels->p99 : INFINITY;
+            const double wrong = found.errors.missed + found.errors.false_hits;
+            const std::size_t unconverged = unconverged_pixels(found.probe);
+            return {p99 < tolerance_texels + floor && wrong <= tolerated_pixels && unconverged == 0,
+                    fmt::format("UV error p99 {:.3g} texels (bound {:.3g}), missed + false hits {:.4f} (bound {:g}), "
+                                "{} searches ended by their cap",
+                                p99, tolerance_texels + floor, wrong, tolerated_pixels, unconverged)};
+        });
+    }
+}
+
+void check_conservative(CheckList& list, const PromiseDeclaration& declaration) {
+    const ParameterValues parameters = with_values(list.manifest(), declaration.with);
+    for (const Circumstance& where : intersection_circumstances()) {
+        list.check("conservative", describe(parameters, list.manifest()) + "; " + describe(where), [&]() -> Finding {
+            const CoordinateScene& scene = list.scenes().get(where.map, where.map_size);
+            const Comparison found = compare_with_truth(list.device(), list.technique(), parameters, scene, where.view);
+            const std::size_t beyond = pixels_beyond(found, scene.map, where.view, list.filter_deviation());
+            const double fraction = static_cast<double>(beyond) / static_cast<double>(found.errors.footprint);
+            return {found.errors.compared > 0 && fraction <= tolerated_pixels,
+                    fmt::format("{} of {} pixels go more than half a texel past the first hit (bound {:g})", beyond,
+                                found.errors.footprint, tolerated_pixels)};
+        });
+    }
+}
+
+}  // namespace reliefbench
