@@ -36,6 +36,9 @@ struct Cell {
 Json axes_to_json(const ViewKey& view);
 Json parameters_to_json(const ParameterValues& values);
 
+/// The technique's part of an id: "pom max_steps=16".
+std::string technique_id(const Manifest& manifest, const ParameterValues& values);
+
 /// The stable id; see Cell::id.
 std::string cell_id(const Manifest& manifest, const ParameterValues& values, const ViewKey& view);
 

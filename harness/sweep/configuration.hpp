@@ -34,16 +34,24 @@ struct SamplingSettings {
     double minimum_pass_ms = 0.2;
 };
 
+/// Where something was set, for messages: a file and a JSON path, or a command line argument and its name.
+struct Origin {
+    std::string file = "configuration";
+    std::string path = "$";
+};
+
 /// One entry of "techniques": an id with the values swept for its parameters by name.
 struct TechniqueSelection {
     std::string technique;
     std::vector<std::pair<std::string, std::vector<ParameterValue>>> parameters;
+    Origin origin = {};
 };
 
 /// One swept quantity: name and raw values, checked by the expansion.
 struct Axis {
     std::string name;
     std::vector<Json> values;
+    Origin origin = {};
 };
 
 /// A configuration as read: configs/schema.json is its schema, docs/architecture.md its description.
@@ -61,19 +69,25 @@ struct Configuration {
     Lighting lighting;
     /// Keep pictures of every cell in images/.
     bool images = false;
-    /// The whole as JSON after overrides: written to run.json, and reads back to the same configuration.
+    /// The whole as JSON after overrides: written to run.json, and reads back to the same configuration. Paths of files
+    /// are absolute.
     Json expanded;
+    Origin origin;
 };
 
-/// `overrides` are "-a" arguments: "name=v1,v2" or "name=[start:stop:step]" (stop included when met).
+/// `overrides` are "-a" arguments: "name=v1,v2" or "name=[start:stop:step]" (stop included when met). They replace an
+/// axis; a parameter wherever it is set; `sample_count` also the sample counts set by name; and `technique=a,b` the
+/// selection, in which those selected before keep their parameters.
 /// Relative paths of height maps are taken from the configuration file's folder when they exist there, else from the
-/// working directory. run.json of an earlier run is taken too.
+/// working directory; those of overrides from the working directory. run.json of an earlier run is taken too.
 Configuration read_configuration(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                                  const std::vector<Manifest>& techniques);
 
 Configuration parse_configuration(const Json& json, const std::string& file, const std::vector<std::string>& overrides,
                                   const std::vector<Manifest>& techniques);
 
+/// Where several set one parameter, the technique's own values win, then an axis of the parameter's name, then
+/// `sample_count`.
 /// Product of the axes (zipped ones together) × techniques × their parameter values; excluded cells dropped.
 /// Order: views outermost, so that cells of one view are neighbours. Errors: a technique, axis or value unknown to
 /// everyone, a parameter set by name out of its range. A swept `sample_count` or parameter out of one technique's

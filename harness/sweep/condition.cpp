@@ -1,0 +1,117 @@
+#include "sweep/condition.hpp"
+
+#include "core/suggest.hpp"
+#include "manifest/parameter_json.hpp"
+#include "sweep/height_map_value.hpp"
+#include "sweep/view_axes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace reliefbench {
+
+namespace {
+
+std::vector<std::string> ids(const ManifestIndex& manifests) {
+    std::vector<std::string> found;
+    for (const auto& [id, manifest] : manifests)
+        found.push_back(id);
+    return found;
+}
+
+Json read_view_value(const JsonView& view, const ViewAxis& axis) {
+    if (axis.name == "heightmap") {
+        HeightMapSource source = read_height_map_value(view).source;
+        return height_map_label(source);
+    }
+    const ViewSetting setting = axis.read(view);
+    ViewKey key;
+    setting(key);
+    // A size can be asked for only where there is one.
+    if (axis.name == "heightmap_size") return to_string(key.height_map.size);
+    return axis.value(key);
+}
+
+/// Right for at least one technique that has the parameter.
+Json read_parameter_quantity(const JsonView& view, const std::string& name, const ManifestIndex& manifests) {
+    std::string complaint;
+    for (const auto& [id, manifest] : manifests) {
+        const Parameter* parameter = manifest->find_parameter(name);
+        if (!parameter) continue;
+        const auto value = parameter_value_from_json(*parameter, view.json());
+        if (!value) view.fail_expected("a boolean, a number or a string");
+        complaint = check_parameter_value(*parameter, *value);
+        if (complaint.empty()) return to_json(*value);
+    }
+    view.fail_here(complaint);
+}
+
+}  // namespace
+
+ManifestIndex index_manifests(const std::vector<Manifest>& manifests) {
+    ManifestIndex index;
+    for (const Manifest& manifest : manifests)
+        index.emplace(manifest.id, &manifest);
+    return index;
+}
+
+std::vector<std::string> quantity_names(const ManifestIndex& manifests) {
+    std::vector<std::string> names{"technique"};
+    for (const ViewAxis& axis : view_axes())
+        names.push_back(axis.name);
+    names.push_back("sample_count");
+    std::set<std::string> parameters;
+    for (const auto& [id, manifest] : manifests) {
+        for (const Parameter& parameter : manifest->parameters)
+            parameters.insert(parameter.name);
+    }
+    names.insert(names.end(), parameters.begin(), parameters.end());
+    return names;
+}
+
+void check_quantity_name(const JsonView& where, const std::string& name, const ManifestIndex& manifests) {
+    const std::vector<std::string> known = quantity_names(manifests);
+    if (std::ranges::find(known, name) != known.end()) return;
+    where.fail_here(fmt::format("'{}' is neither \"technique\", nor an axis, nor a parameter of any technique{}", name,
+                                did_you_mean(name, known)));
+}
+
+Json cell_quantity(const Cell& cell, const std::string& name, const ManifestIndex& manifests) {
+    if (name == "technique") return cell.technique;
+    if (const ViewAxis* axis = find_view_axis(name)) return axis->value(cell.view);
+    std::string parameter = name;
+    if (name == "sample_count") {
+        const auto manifest = manifests.find(cell.technique);
+        if (manifest == manifests.end() || !manifest->second->sample_count) return {};
+        parameter = *manifest->second->sample_count;
+    }
+    const auto value = cell.parameters.find(parameter);
+    return value == cell.parameters.end() ? Json() : to_json(value->second);
+}
+
+Json read_quantity_value(const JsonView& view, const std::string& name, const ManifestIndex& manifests) {
+    if (name == "technique") {
+        const std::string id = view.string();
+        if (manifests.contains(id)) return id;
+        view.fail_here(fmt::format("unknown technique '{}'{}; known are {}", id, did_you_mean(id, ids(manifests)),
+                                   join(ids(manifests))));
+    }
+    if (name == "sample_count") return view.integer(1, std::numeric_limits<std::int32_t>::max());
+    if (const ViewAxis* axis = find_view_axis(name)) return read_view_value(view, *axis);
+    return read_parameter_quantity(view, name, manifests);
+}
+
+bool quantity_equals(const std::string& name, const Json& quantity, const Json& value) {
+    if (quantity.is_null()) return false;
+    if (quantity == value) return true;
+    if (name != "heightmap") return false;
+    // A file's label is its base name and then, behind plus signs, how it is read.
+    const auto& label = quantity.get_ref<const std::string&>();
+    const auto& asked = value.get_ref<const std::string&>();
+    return label.size() > asked.size() && label.starts_with(asked) && label[asked.size()] == '+';
+}
+
+}  // namespace reliefbench

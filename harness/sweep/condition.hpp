@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/json.hpp"
+#include "manifest/manifest.hpp"
+#include "sweep/cell.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace reliefbench {
+
+/// The manifests by id.
+using ManifestIndex = std::map<std::string, const Manifest*>;
+
+ManifestIndex index_manifests(const std::vector<Manifest>& manifests);
+
+/// What can be asked of a cell: its technique, an axis of its view, its sample count or a parameter. An unknown name is
+/// an Error with a "did you mean".
+void check_quantity_name(const JsonView& where, const std::string& name, const ManifestIndex& manifests);
+
+/// "technique", the axes of the view, "sample_count" and every parameter of the manifests.
+std::vector<std::string> quantity_names(const ManifestIndex& manifests);
+
+/// Null where the cell has no such quantity.
+Json cell_quantity(const Cell& cell, const std::string& name, const ManifestIndex& manifests);
+
+/// A value to compare that quantity with, in the form that cell_quantity has. A value that no cell can have is an
+/// Error.
+Json read_quantity_value(const JsonView& view, const std::string& name, const ManifestIndex& manifests);
+
+/// Numbers by value, words as they are; a height map also by the base name of its file alone.
+bool quantity_equals(const std::string& name, const Json& quantity, const Json& value);
+
+}  // namespace reliefbench

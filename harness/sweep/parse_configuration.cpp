@@ -1,0 +1,238 @@
+#include "core/error.hpp"
+#include "core/log.hpp"
+#include "manifest/parameter_json.hpp"
+#include "sweep/configuration.hpp"
+#include "sweep/configuration_keys.hpp"
+#include "sweep/height_map_value.hpp"
+#include "sweep/override.hpp"
+#include "sweep/plan.hpp"
+#include "sweep/settings.hpp"
+
+#include <algorithm>
+
+namespace reliefbench {
+
+namespace {
+
+using Folders = std::vector<std::filesystem::path>;
+
+/// A list, or one value that stands for a list of itself.
+std::vector<JsonView> one_or_more(const JsonView& view) {
+    if (!view.json().is_array()) return {view};
+    std::vector<JsonView> items = view.items();
+    if (items.empty()) view.fail_expected("at least one value");
+    return items;
+}
+
+TechniqueSelection read_selection(const JsonView& view, const ManifestIndex& manifests) {
+    TechniqueSelection selection;
+    selection.origin = {view.file(), view.path()};
+    if (view.json().is_string()) {
+        selection.technique = require_technique(manifests, view.string(), view).id;
+        return selection;
+    }
+    if (!view.json().is_object()) view.fail_expected("a technique's id, or {\"technique\": id, \"parameters\": {...}}");
+    view.require_only(configuration_keys::technique());
+    const JsonView id = view.at("technique");
+    const Manifest& manifest = require_technique(manifests, id.string(), id);
+    selection.technique = manifest.id;
+    if (!view.has("parameters")) return selection;
+    for (const auto& [name, values] : view.at("parameters").members()) {
+        const Parameter& parameter = require_parameter(manifest, name, values);
+        std::vector<ParameterValue> read;
+        for (const JsonView& value : one_or_more(values))
+            read.push_back(read_parameter_value(parameter, value));
+        selection.parameters.emplace_back(name, std::move(read));
+    }
+    return selection;
+}
+
+Axis read_axis(const std::string& name, const JsonView& view, const Folders& folders) {
+    Axis axis{name, {}, {view.file(), view.path()}};
+    for (const JsonView& value : one_or_more(view)) {
+        axis.values.push_back(name == "heightmap" ? resolve_height_map_paths(value, folders) : value.json());
+    }
+    return axis;
+}
+
+std::vector<std::vector<std::string>> read_zip(const JsonView& view) {
+    std::vector<std::vector<std::string>> zip;
+    for (const JsonView& group : view.items()) {
+        zip.emplace_back();
+        for (const JsonView& name : group.items())
+            zip.back().push_back(name.string());
+    }
+    return zip;
+}
+
+std::map<std::string, std::vector<Json>> read_exclusion(const JsonView& view) {
+    std::map<std::string, std::vector<Json>> conditions;
+    for (const auto& [name, values] : view.members()) {
+        for (const JsonView& value : one_or_more(values))
+            conditions[name].push_back(value.json());
+    }
+    if (conditions.empty()) view.fail_expected("at least one condition");
+    return conditions;
+}
+
+Configuration read(const JsonView& view, const ManifestIndex& manifests) {
+    view.require_only(configuration_keys::top());
+    Configuration configuration;
+    configuration.origin = {view.file(), view.path()};
+    const std::filesystem::path file = view.file();
+    configuration.name = view.has("name") ? view.at("name").string() : file.stem().string();
+    for (const JsonView& item : view.at("techniques").items()) {
+        configuration.techniques.push_back(read_selection(item, manifests));
+    }
+    const Folders folders{file.parent_path().empty() ? "." : file.parent_path(), "."};
+    for (const auto& [name, values] : view.at("axes").members()) {
+        configuration.axes.push_back(read_axis(name, values, folders));
+    }
+    if (view.has("zip")) configuration.zip = read_zip(view.at("zip"));
+    if (view.has("exclude")) {
+        for (const JsonView& item : view.at("exclude").items())
+            configuration.exclude.push_back(read_exclusion(item));
+    }
+    if (view.has("seed")) configuration.seed = static_cast<std::uint64_t>(view.at("seed").integer(0));
+    if (view.has("truth")) configuration.truth = read_truth(view.at("truth"));
+    if (view.has("sampling")) configuration.sampling = read_sampling(view.at("sampling"));
+    if (view.has("lighting")) configuration.lighting = read_lighting(view.at("lighting"));
+    if (view.has("images")) configuration.images = view.at("images").boolean();
+    return configuration;
+}
+
+/// "technique=a,b": those selected before keep the values of their parameters.
+void override_techniques(const Override& given, Configuration& configuration, const ManifestIndex& manifests) {
+    std::vector<TechniqueSelection> selected;
+    for (const Json& value : given.values) {
+        const std::string id = require_technique(manifests, JsonView(value, given.argument, given.name).string(),
+                                                 JsonView(value, given.argument, given.name))
+                                   .id;
+        const std::size_t before = selected.size();
+        std::ranges::copy_if(configuration.techniques, std::back_inserter(selected),
+                             [&](const TechniqueSelection& earlier) { return earlier.technique == id; });
+        if (selected.size() == before) selected.push_back({id, {}, {given.argument, given.name}});
+    }
+    configuration.techniques = std::move(selected);
+}
+
+/// The axis takes the place of whatever set the same before.
+void override_axis(const Override& given, Configuration& configuration, const ManifestIndex& manifests) {
+    for (TechniqueSelection& selection : configuration.techniques) {
+        const Manifest& manifest = *manifests.at(selection.technique);
+        const std::string parameter =
+            given.name == "sample_count" ? manifest.sample_count.value_or(given.name) : given.name;
+        std::erase_if(selection.parameters, [&](const auto& named) { return named.first == parameter; });
+    }
+    Axis axis{given.name, {}, {given.argument, given.name}};
+    for (const Json& value : given.values) {
+        const JsonView view(value, given.argument, given.name);
+        axis.values.push_back(given.name == "heightmap" ? resolve_height_map_paths(view, {"."}) : value);
+    }
+    const auto earlier = std::ranges::find(configuration.axes, given.name, &Axis::name);
+    if (earlier == configuration.axes.end()) {
+        configuration.axes.push_back(std::move(axis));
+    } else {
+        *earlier = std::move(axis);
+    }
+}
+
+void apply_overrides(const std::vector<std::string>& overrides, Configuration& configuration,
+                     const ManifestIndex& manifests) {
+    std::vector<Override> parsed;
+    for (const std::string& argument : overrides) {
+        parsed.push_back(parse_override(argument));
+        const auto earlier = std::ranges::find(parsed, parsed.back().name, &Override::name);
+        if (earlier != parsed.end() - 1) {
+            fail("{}: '{}' is given twice, first as {}; give all its values at once", parsed.back().argument,
+                 parsed.back().name, earlier->argument);
+        }
+    }
+    // The selection first: it says whose parameters the others replace.
+    for (const Override& given : parsed) {
+        if (given.name == "technique") override_techniques(given, configuration, manifests);
+    }
+    for (const Override& given : parsed) {
+        if (given.name != "technique") override_axis(given, configuration, manifests);
+    }
+}
+
+Json selection_json(const TechniqueSelection& selection) {
+    Json json = Json::object();
+    json["technique"] = selection.technique;
+    for (const auto& [name, values] : selection.parameters) {
+        for (const ParameterValue& value : values)
+            json["parameters"][name].push_back(to_json(value));
+    }
+    return json;
+}
+
+Json expanded_json(const Configuration& configuration) {
+    Json json = Json::object();
+    json["name"] = configuration.name;
+    json["techniques"] = Json::array();
+    for (const TechniqueSelection& selection : configuration.techniques) {
+        json["techniques"].push_back(selection_json(selection));
+    }
+    json["axes"] = Json::object();
+    for (const Axis& axis : configuration.axes)
+        json["axes"][axis.name] = axis.values;
+    json["zip"] = configuration.zip;
+    json["exclude"] = configuration.exclude;
+    json["seed"] = configuration.seed;
+    json["truth"] = to_json(configuration.truth);
+    json["sampling"] = to_json(configuration.sampling);
+    json["lighting"] = to_json(configuration.lighting);
+    json["images"] = configuration.images;
+    return json;
+}
+
+/// Several sizes swept over a file would look as if they were measured.
+void warn_of_sizes_of_files(const Configuration& configuration) {
+    const auto sizes = std::ranges::find(configuration.axes, "heightmap_size", &Axis::name);
+    const auto maps = std::ranges::find(configuration.axes, "heightmap", &Axis::name);
+    if (sizes == configuration.axes.end() || maps == configuration.axes.end()) return;
+    for (const Json& value : maps->values) {
+        const HeightMapValue map = read_height_map_value(JsonView(value, maps->origin.file, maps->origin.path));
+        if (is_procedural(map.source.name)) continue;
+        log_warning("{}: {}: heightmap_size is for procedural height maps; '{}' keeps its own size", sizes->origin.file,
+                    sizes->origin.path, height_map_label(map.source));
+    }
+}
+
+}  // namespace
+
+namespace configuration_keys {
+
+const std::vector<std::string>& top() {
+    static const std::vector<std::string> keys{"$schema", "name",  "techniques", "axes",     "zip",   "exclude",
+                                               "seed",    "truth", "sampling",   "lighting", "images"};
+    return keys;
+}
+
+const std::vector<std::string>& technique() {
+    static const std::vector<std::string> keys{"technique", "parameters"};
+    return keys;
+}
+
+}  // namespace configuration_keys
+
+Configuration parse_configuration(const Json& json, const std::string& file, const std::vector<std::string>& overrides,
+                                  const std::vector<Manifest>& techniques) {
+    const ManifestIndex manifests = index_manifests(techniques);
+    const JsonView whole(json, file);
+    const bool is_run = json.is_object() && json.contains("configuration") && json.at("configuration").is_object();
+    Configuration configuration = read(is_run ? whole.at("configuration") : whole, manifests);
+    apply_overrides(overrides, configuration, manifests);
+    plan_sweep(configuration, techniques);
+    warn_of_sizes_of_files(configuration);
+    configuration.expanded = expanded_json(configuration);
+    return configuration;
+}
+
+Configuration read_configuration(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                                 const std::vector<Manifest>& techniques) {
+    return parse_configuration(read_json_file(path), path.string(), overrides, techniques);
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,167 @@
+#include "sweep/settings.hpp"
+
+#include "sweep/configuration_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace reliefbench {
+
+namespace {
+
+const std::vector<std::string> truth_kinds{"exact", "mesh"};
+const std::vector<std::string> sampling_rules{"fixed"};
+
+constexpr int largest_subdivision = 64;
+constexpr int most_rounds = 100000;
+constexpr int most_draws = 10000;
+constexpr double longest_pass_ms = 10000;
+constexpr std::size_t most_lights = 3;
+constexpr double largest_radiance = 1e6;
+constexpr double largest_shininess = 1e5;
+constexpr double largest_length = 1e6;
+
+glm::dvec3 read_vector(const JsonView& view, double minimum, double maximum) {
+    const std::vector<JsonView> items = view.items();
+    if (items.size() != 3) view.fail_expected("three numbers");
+    return {items[0].number(minimum, maximum), items[1].number(minimum, maximum), items[2].number(minimum, maximum)};
+}
+
+glm::dvec3 read_colour(const JsonView& view) {
+    return read_vector(view, 0, largest_radiance);
+}
+
+Json to_json(const glm::dvec3& vector) {
+    return Json::array({vector.x, vector.y, vector.z});
+}
+
+DirectionalLight read_light(const JsonView& view) {
+    view.require_only(configuration_keys::light());
+    DirectionalLight light;
+    if (view.has("direction")) {
+        light.direction = read_vector(view.at("direction"), -largest_length, largest_length);
+        if (light.direction == glm::dvec3(0)) view.at("direction").fail_expected("a direction that is not zero");
+    }
+    if (view.has("colour")) light.colour = read_colour(view.at("colour"));
+    return light;
+}
+
+Fog read_fog(const JsonView& view) {
+    view.require_only(configuration_keys::fog());
+    Fog fog;
+    if (view.has("start")) fog.start = view.at("start").number(0, largest_length);
+    if (view.has("range")) {
+        fog.range = view.at("range").number(0, largest_length);
+        if (fog.range == 0) view.at("range").fail_expected("a length above 0");
+    }
+    if (view.has("colour")) fog.colour = read_colour(view.at("colour"));
+    return fog;
+}
+
+}  // namespace
+
+namespace configuration_keys {
+
+const std::vector<std::string>& truth() {
+    static const std::vector<std::string> keys{"kind", "subdivision"};
+    return keys;
+}
+
+const std::vector<std::string>& sampling() {
+    static const std::vector<std::string> keys{"rule", "rounds", "samples_per_visit", "warm_up", "minimum_pass_ms"};
+    return keys;
+}
+
+const std::vector<std::string>& lighting() {
+    static const std::vector<std::string> keys{"lights", "ambient", "specular",  "shininess",
+                                               "fog",    "enabled", "background"};
+    return keys;
+}
+
+const std::vector<std::string>& light() {
+    static const std::vector<std::string> keys{"direction", "colour"};
+    return keys;
+}
+
+const std::vector<std::string>& fog() {
+    static const std::vector<std::string> keys{"start", "range", "colour"};
+    return keys;
+}
+
+}  // namespace configuration_keys
+
+TruthSettings read_truth(const JsonView& view) {
+    view.require_only(configuration_keys::truth());
+    TruthSettings truth;
+    if (view.has("kind")) truth.kind = static_cast<TruthSettings::Kind>(view.at("kind").choice(truth_kinds));
+    if (view.has("subdivision")) {
+        truth.subdivision = static_cast<int>(view.at("subdivision").integer(1, largest_subdivision));
+    }
+    return truth;
+}
+
+SamplingSettings read_sampling(const JsonView& view) {
+    view.require_only(configuration_keys::sampling());
+    SamplingSettings sampling;
+    if (view.has("rule")) view.at("rule").choice(sampling_rules);
+    if (view.has("rounds")) sampling.rounds = static_cast<int>(view.at("rounds").integer(1, most_rounds));
+    if (view.has("samples_per_visit")) {
+        sampling.samples_per_visit = static_cast<int>(view.at("samples_per_visit").integer(1, most_draws));
+    }
+    if (view.has("warm_up")) sampling.warm_up = static_cast<int>(view.at("warm_up").integer(0, most_draws));
+    if (view.has("minimum_pass_ms")) sampling.minimum_pass_ms = view.at("minimum_pass_ms").number(0, longest_pass_ms);
+    return sampling;
+}
+
+Lighting read_lighting(const JsonView& view) {
+    view.require_only(configuration_keys::lighting());
+    Lighting lighting;
+    if (view.has("lights")) {
+        lighting.lights.clear();
+        for (const JsonView& item : view.at("lights").items())
+            lighting.lights.push_back(read_light(item));
+        if (lighting.lights.size() > most_lights) {
+            view.at("lights").fail_expected(fmt::format("at most {} lights", most_lights));
+        }
+    }
+    if (view.has("ambient")) lighting.ambient = read_colour(view.at("ambient"));
+    if (view.has("specular")) lighting.specular = read_colour(view.at("specular"));
+    if (view.has("shininess")) lighting.shininess = view.at("shininess").number(0, largest_shininess);
+    if (view.has("fog")) lighting.fog = read_fog(view.at("fog"));
+    if (view.has("enabled")) lighting.enabled = view.at("enabled").boolean();
+    if (view.has("background")) lighting.background = read_colour(view.at("background"));
+    return lighting;
+}
+
+Json to_json(const TruthSettings& truth) {
+    return {{"kind", truth_kinds[static_cast<std::size_t>(truth.kind)]}, {"subdivision", truth.subdivision}};
+}
+
+Json to_json(const SamplingSettings& sampling) {
+    return {{"rule", sampling_rules.front()},
+            {"rounds", sampling.rounds},
+            {"samples_per_visit", sampling.samples_per_visit},
+            {"warm_up", sampling.warm_up},
+            {"minimum_pass_ms", sampling.minimum_pass_ms}};
+}
+
+Json to_json(const Lighting& lighting) {
+    Json json = Json::object();
+    json["lights"] = Json::array();
+    for (const DirectionalLight& light : lighting.lights) {
+        json["lights"].push_back({{"direction", to_json(light.direction)}, {"colour", to_json(light.colour)}});
+    }
+    json["ambient"] = to_json(lighting.ambient);
+    json["specular"] = to_json(lighting.specular);
+    json["shininess"] = lighting.shininess;
+    if (lighting.fog) {
+        json["fog"] = {
+            {"start", lighting.fog->start}, {"range", lighting.fog->range}, {"colour", to_json(lighting.fog->colour)}};
+    }
+    json["enabled"] = lighting.enabled;
+    json["background"] = to_json(lighting.background);
+    return json;
+}
+
+}  // namespace reliefbench

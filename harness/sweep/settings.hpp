@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/json.hpp"
+#include "scene/lighting.hpp"
+#include "sweep/configuration.hpp"
+
+namespace reliefbench {
+
+/// The parts of a configuration that are no axes. What is left out keeps its default.
+TruthSettings read_truth(const JsonView& view);
+SamplingSettings read_sampling(const JsonView& view);
+Lighting read_lighting(const JsonView& view);
+
+Json to_json(const TruthSettings& truth);
+Json to_json(const SamplingSettings& sampling);
+Json to_json(const Lighting& lighting);
+
+}  // namespace reliefbench

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/json.hpp"
+#include "sweep/cell.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace reliefbench {
+
+/// Sets one value of an axis in a view.
+using ViewSetting = std::function<void(ViewKey&)>;
+
+/// An axis of the view: one row of the table that reading, ids and results share.
+struct ViewAxis {
+    std::string name;
+    /// Checks the value: a wrong type or a value out of range is an Error that names file and JSON path.
+    std::function<ViewSetting(const JsonView&)> read;
+    /// The view's value as results write it, a scalar; null where the view has no use for the axis (a file's
+    /// heightmap_size, the distance of parallel rays).
+    std::function<Json(const ViewKey&)> value;
+};
+
+/// In the order of ids and results; heightmap first.
+const std::vector<ViewAxis>& view_axes();
+
+/// Null when there is no such axis.
+const ViewAxis* find_view_axis(const std::string& name);
+
+/// One value chosen for an axis.
+struct ViewChoice {
+    const ViewAxis* axis = nullptr;
+    const ViewSetting* setting = nullptr;
+};
+
+/// The choices in any order. What the view has no use for is left at its default, so that equal views are equal.
+ViewKey make_view(const std::vector<ViewChoice>& choices);
+
+/// The view's part of a cell's id: "heightmap=bricks view_angle=60".
+std::string view_id(const ViewKey& view);
+
+/// A scalar as ids write it: numbers in the shortest form that reads back equal.
+std::string scalar_text(const Json& scalar);
+
+}  // namespace reliefbench
