@@ -42,7 +42,7 @@ bool is_procedural(const std::string& name) {
     std::vector<std::string> known;
     for (const ProceduralMap& map : procedural_maps())
         known.push_back(map.name);
-    fail("no height map '{}': neither a file nor a procedural map{}; the procedural ones are {}", name,
+    fail("height map '{}': no such file, and no procedural map of that name{}; the procedural maps are {}", name,
          did_you_mean(name, known), join(known));
 }
 

@@ -40,6 +40,14 @@ std::string reason(std::string message) {
     return message.empty() ? "no reason given" : message;
 }
 
+/// OpenImageIO multiplies integers by a rounded reciprocal; this restores stored/maximum to the last bit.
+void divide_exactly(std::vector<float>& values, OIIO::TypeDesc stored) {
+    if (stored != OIIO::TypeDesc::UINT8 && stored != OIIO::TypeDesc::UINT16) return;
+    const double maximum = stored == OIIO::TypeDesc::UINT8 ? 255.0 : 65535.0;
+    for (float& value : values)
+        value = static_cast<float>(std::round(value * maximum) / maximum);
+}
+
 /// Deletes an unfinished file unless told that it was moved into place.
 class PartialFile {
 public:
@@ -102,6 +110,7 @@ RasterFile read_raster_file(const std::filesystem::path& path) {
     if (!complete || input->has_error()) {
         fail("cannot read image '{}': {}; the file is damaged or cut short", path.string(), reason(input->geterror()));
     }
+    divide_exactly(raster.values, spec.format);
     return raster;
 }
 
