@@ -1,0 +1,31 @@
+// A per-pixel technique: its trace() from the ray of this pixel, then the boundary, the depth and the colour.
+
+#include "relief.glsl"
+#include "scene.glsl"
+#include "surface.glsl"
+#include "trace.glsl"
+#include "work.glsl"
+
+void main() {
+    ViewRay view = view_ray(gl_FragCoord.xy);
+    float t_per_s = scene.height_scale / -view.direction.z;
+    vec2 max_offset = view.direction.xy * t_per_s;
+
+    Trace found = trace(ReliefRay(scene.tiling * view.entry, scene.tiling * max_offset, -view.direction,
+                                  scene.tiling * scene.height_scale));
+    count_pixel(scene.resolution, gl_FragCoord.xy, found.steps, found.converged);
+    if (found.kind == trace_miss) discard;
+
+    vec4 hit;
+    if (found.kind == trace_on_ray) {
+        hit = vec4(view.entry + found.s * max_offset, 1.0 - found.s, view.entry_t + found.s * t_per_s);
+    } else {
+        hit = vec4(found.uv / scene.tiling, found.h, 0.0);
+        hit.w = dot(surface_point(hit.xy, hit.z) - view.origin, view.direction);
+    }
+    if (!relief_repeats && !inside_patch(hit.xy)) discard;
+
+    vec4 clip = scene.clip_from_world * vec4(surface_point(hit.xy, hit.z), 1.0);
+    gl_FragDepth = clip.z / clip.w;
+    write_surface(hit, view.direction, found.flat_normal, found.light_visibility);
+}

@@ -1,0 +1,45 @@
+#ifndef RELIEFBENCH_RELIEF_GLSL
+#define RELIEFBENCH_RELIEF_GLSL
+
+// What a per-pixel technique sees: a ray entering the relief in tangent space, and the ways to answer.
+// docs/adding_a_technique.md is its description.
+
+#include "taps.glsl"
+
+// The point at ray parameter s in [0, 1] is uv + s * max_offset, at height 1 - s.
+struct ReliefRay {
+    vec2 uv;          // texture coordinates where the ray enters the relief, at h = 1
+    vec2 max_offset;  // texture coordinates travelled from h = 1 to h = 0
+    vec3 to_eye;      // unit vector in tangent space
+    float height;     // height scale in units of texture coordinates
+};
+
+const int trace_miss = 0;
+const int trace_on_ray = 1;
+const int trace_off_ray = 2;
+
+struct Trace {
+    int kind;
+    float s;  // on the ray
+    vec2 uv;  // off the ray: texture coordinates and height
+    float h;
+    int steps;
+    bool converged;          // false when the search ended by its cap
+    bool flat_normal;        // shade with the polygon's normal
+    float light_visibility;  // 1 lit, 0 in the relief's own shadow
+};
+
+Trace hit_on_ray(float s, int steps) { return Trace(trace_on_ray, s, vec2(0.0), 0.0, steps, true, false, 1.0); }
+
+Trace hit_off_ray(vec2 uv, float h, int steps) { return Trace(trace_off_ray, 0.0, uv, h, steps, true, false, 1.0); }
+
+Trace miss(int steps) { return Trace(trace_miss, 0.0, vec2(0.0), 0.0, steps, true, false, 1.0); }
+
+Trace unconverged(Trace result) {
+    result.converged = false;
+    return result;
+}
+
+vec2 point_on_ray(ReliefRay ray, float s) { return ray.uv + s * ray.max_offset; }
+
+#endif

@@ -1,0 +1,64 @@
+#ifndef RELIEFBENCH_SCENE_GLSL
+#define RELIEFBENCH_SCENE_GLSL
+
+// What is drawn and from where: the mirror of SceneUniforms in harness/technique/scene_uniforms.hpp.
+
+const int max_lights = 3;
+
+layout(set = 0, binding = 0, std140) uniform Scene {
+    mat4 clip_from_world;
+    vec3 eye;
+    float height_scale;
+    vec3 forward;  // of parallel rays: the direction of all of them
+    float tiling;
+    vec3 right;  // times tan(fov / 2) and the aspect ratio
+    int parallel_rays;
+    vec3 up;  // times tan(fov / 2)
+    int light_count;
+    vec4 light_direction[max_lights];  // unit vectors towards the lights
+    vec4 light_colour[max_lights];
+    vec3 ambient;
+    float shininess;
+    vec3 specular;
+    float fog_start;
+    vec3 fog_colour;
+    float fog_range;  // 0: no fog
+    ivec2 resolution;
+    ivec2 patches_per_side;
+    ivec2 first_patch;  // may be negative where the relief repeats past the unit square
+    ivec2 patch_count;
+}
+scene;
+
+layout(constant_id = 0) const bool srgb_target = false;
+layout(constant_id = 1) const bool lighting_enabled = true;
+layout(constant_id = 2) const bool relief_repeats = false;
+
+// The ray of a pixel, from the camera alone: what the rasteriser interpolates would depend on its precision.
+struct ViewRay {
+    vec3 origin;     // the eye; of parallel rays the point in z = 0
+    vec3 direction;  // unit
+    vec2 entry;      // patch coordinates where it crosses z = 0
+    float entry_t;   // distance from `origin` to there
+};
+
+ViewRay view_ray(vec2 fragment) {
+    vec2 across = fragment / vec2(scene.resolution);
+    if (scene.parallel_rays != 0) {
+        vec2 entry = vec2(across.x, 1.0 - across.y);
+        return ViewRay(vec3(entry - 0.5, 0.0), scene.forward, entry, 0.0);
+    }
+    vec3 direction =
+        normalize(scene.forward + scene.right * (2.0 * across.x - 1.0) + scene.up * (1.0 - 2.0 * across.y));
+    float entry_t = -scene.eye.z / direction.z;
+    return ViewRay(scene.eye, direction, scene.eye.xy + direction.xy * entry_t + 0.5, entry_t);
+}
+
+// S(u, v) of a height h.
+vec3 surface_point(vec2 patch_uv, float h) { return vec3(patch_uv - 0.5, (h - 1.0) * scene.height_scale); }
+
+bool inside_patch(vec2 patch_uv) {
+    return all(greaterThanEqual(patch_uv, vec2(0.0))) && all(lessThanEqual(patch_uv, vec2(1.0)));
+}
+
+#endif

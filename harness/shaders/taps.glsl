@@ -1,0 +1,55 @@
+#ifndef RELIEFBENCH_TAPS_GLSL
+#define RELIEFBENCH_TAPS_GLSL
+
+// The only way to read heights and derived maps. Every function is one fetch instruction and counts as one tap in
+// probed compilations; in timed ones and in preparation passes nothing of the counting is left.
+
+layout(set = 0, binding = 1) uniform sampler2D height_map;     // bilinear, repeating
+layout(set = 0, binding = 2) uniform sampler2D height_texels;  // the same texels unfiltered, repeating
+
+#ifdef RELIEFBENCH_PROBED
+uint counted_taps = 0u;
+uint counted_texels = 0u;
+#endif
+
+void count_tap(uint texels) {
+#ifdef RELIEFBENCH_PROBED
+    counted_taps += 1u;
+    counted_texels += texels;
+#endif
+}
+
+ivec2 height_map_size() { return textureSize(height_map, 0); }
+
+// Bilinear height at texture coordinates.
+float tap_height(vec2 uv) {
+    count_tap(4u);
+    return textureLod(height_map, uv, 0.0).r;
+}
+
+// One stored texel. Indices wrap: the sampler does it, which is cheaper than an integer division.
+float tap_height_texel(ivec2 texel) {
+    count_tap(1u);
+    return textureLod(height_texels, (vec2(texel) + 0.5) / vec2(height_map_size()), 0.0).r;
+}
+
+// The corners (h00, h10, h01, h11) of the bilinear cell whose lower left texel centre is `cell`; indices wrap. The
+// gather is taken where the four texels meet, half a texel from any of their centres.
+vec4 tap_height_cell(ivec2 cell) {
+    count_tap(4u);
+    return textureGather(height_texels, vec2(cell + 1) / vec2(height_map_size()), 0).wzxy;
+}
+
+// A derived map through its own filter, repeating.
+vec4 tap_map(sampler2D map, vec2 uv, float lod) {
+    count_tap(4u);
+    return textureLod(map, uv, lod);
+}
+
+// One stored texel of a derived map. No wrapping: the caller stays inside.
+vec4 tap_map_texel(sampler2D map, ivec2 texel, int lod) {
+    count_tap(1u);
+    return texelFetch(map, texel, lod);
+}
+
+#endif

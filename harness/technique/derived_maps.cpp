@@ -1,0 +1,150 @@
+#include "technique/derived_maps.hpp"
+
+#include "core/error.hpp"
+#include "gpu/commands.hpp"
+#include "gpu/timers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <utility>
+
+namespace reliefbench {
+
+namespace {
+
+/// Of prepare.comp, on each side.
+constexpr std::uint32_t workgroup_side = 8;
+
+constexpr auto map_usage =
+    vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eTransferSrc;
+
+std::size_t index_of_map(const Manifest& manifest, const std::string& name) {
+    for (std::size_t i = 0; i < manifest.maps.size(); ++i) {
+        if (manifest.maps[i].name == name) return i;
+    }
+    fail("technique '{}' has no map '{}'", manifest.id, name);
+}
+
+std::uint32_t groups(std::uint32_t texels) {
+    return (texels + workgroup_side - 1) / workgroup_side;
+}
+
+}  // namespace
+
+vk::Format vulkan_format(const MapDeclaration& map) {
+    static const std::array<std::pair<std::string_view, vk::Format>, 7> formats{{
+        {"r8", vk::Format::eR8Unorm},
+        {"r16", vk::Format::eR16Unorm},
+        {"r32f", vk::Format::eR32Sfloat},
+        {"rg32f", vk::Format::eR32G32Sfloat},
+        {"rgba8", vk::Format::eR8G8B8A8Unorm},
+        {"rgba16", vk::Format::eR16G16B16A16Unorm},
+        {"rgba32f", vk::Format::eR32G32B32A32Sfloat},
+    }};
+    for (const auto& [name, format] : formats) {
+        if (name == map.format) return format;
+    }
+    fail("map '{}' has the unknown format '{}'", map.name, map.format);
+}
+
+vk::Extent2D map_extent(const MapDeclaration& map, Resolution height_map) {
+    const auto width = static_cast<std::uint32_t>(height_map.width);
+    const auto height = static_cast<std::uint32_t>(height_map.height);
+    if (map.size == MapDeclaration::Size::height_map) return {width, height};
+    return {std::bit_ceil(width), std::bit_ceil(height)};
+}
+
+DerivedMaps::DerivedMaps(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
+                         const SceneOnDevice::Textures& scene)
+    : device_(&device) {
+    for (const MapDeclaration& map : technique.manifest.maps) {
+        const vk::Extent2D extent = map_extent(map, scene.size);
+        const std::uint32_t levels = map.mip_chain ? gpu::full_mip_chain(extent) : 1;
+        const vk::Filter filter = map.linear_filter ? vk::Filter::eLinear : vk::Filter::eNearest;
+        maps_.push_back({gpu::Texture(device, extent, vulkan_format(map), levels, map_usage),
+                         gpu::make_sampler(device, {.filter = filter})});
+    }
+    for (const PassDeclaration& pass : technique.manifest.passes)
+        passes_.push_back(make_pass(technique, pass, parameters, scene));
+}
+
+DerivedMaps::Pass DerivedMaps::make_pass(const Technique& technique, const PassDeclaration& declaration,
+                                         const ParameterValues& parameters,
+                                         const SceneOnDevice::Textures& scene) const {
+    const Manifest& manifest = technique.manifest;
+    const Map& target = maps_[index_of_map(manifest, declaration.writes)];
+    const gpu::ComputePipelineOptions options{.shader = compile_pass(*device_, technique, declaration),
+                                              .constants = parameter_constants(manifest, parameters),
+                                              .push_constant_bytes = sizeof(std::int32_t)};
+    const bool above_base = declaration.levels == PassDeclaration::Levels::above_base;
+    Pass pass{declaration.name, {}};
+    const std::uint32_t first = above_base ? 1 : 0;
+    const std::uint32_t end = above_base ? target.texture.levels : 1;
+    for (std::uint32_t level = first; level < end; ++level) {
+        std::vector<gpu::Binding> bindings = scene.height_bindings();
+        bindings.push_back(gpu::storage_image(binding::target_map, target.texture.level_views[level]));
+        if (above_base)
+            bindings.push_back(gpu::sampled_image(binding::previous_map, target.texture.level_views[level - 1],
+                                                  scene.nearest_repeat, vk::ImageLayout::eGeneral));
+        for (const std::size_t map : maps_before(manifest, declaration))
+            bindings.push_back(gpu::sampled_image(binding::first_derived_map + static_cast<std::uint32_t>(map),
+                                                  maps_[map].texture.view, maps_[map].sampler,
+                                                  vk::ImageLayout::eGeneral));
+        pass.dispatches.push_back({gpu::make_compute_pipeline(*device_, options, bindings),
+                                   static_cast<std::int32_t>(level), target.texture.level_extent(level)});
+    }
+    return pass;
+}
+
+void DerivedMaps::record_pass(const vk::raii::CommandBuffer& commands, const Pass& pass) const {
+    for (const Dispatch& dispatch : pass.dispatches) {
+        dispatch.pipeline.bind(commands);
+        commands.pushConstants<std::int32_t>(*dispatch.pipeline.layout, vk::ShaderStageFlagBits::eCompute, 0,
+                                             dispatch.level);
+        commands.dispatch(groups(dispatch.size.width), groups(dispatch.size.height), 1);
+        gpu::full_barrier(commands);
+    }
+}
+
+Preparation DerivedMaps::prepare(int samples) {
+    Preparation result;
+    for (const Map& map : maps_)
+        result.bytes += map.texture.bytes;
+    if (maps_.empty()) return result;
+
+    for (int sample = 0; sample < samples; ++sample) {
+        const gpu::Timestamps timestamps(*device_,
+                                         static_cast<std::uint32_t>(std::max<std::size_t>(passes_.size(), 1)));
+        gpu::submit_and_wait(*device_, "prepare the derived maps", [&](const vk::raii::CommandBuffer& commands) {
+            timestamps.reset(commands);
+            for (const Map& map : maps_)
+                gpu::change_layout(commands, *map.texture.image, map.texture.all(), vk::ImageLayout::eUndefined,
+                                   vk::ImageLayout::eGeneral);
+            for (std::uint32_t i = 0; i < passes_.size(); ++i) {
+                timestamps.start(commands, i);
+                record_pass(commands, passes_[i]);
+                timestamps.end(commands, i);
+            }
+            for (const Map& map : maps_)
+                gpu::change_layout(commands, *map.texture.image, map.texture.all(), vk::ImageLayout::eGeneral,
+                                   vk::ImageLayout::eShaderReadOnlyOptimal);
+        });
+        if (passes_.empty()) continue;
+        const std::vector<double> milliseconds = timestamps.milliseconds();
+        for (std::size_t i = 0; i < passes_.size(); ++i)
+            result.pass_ms[passes_[i].name].push_back(milliseconds[i]);
+    }
+    return result;
+}
+
+std::vector<gpu::Binding> DerivedMaps::draw_bindings() const {
+    std::vector<gpu::Binding> bindings;
+    for (std::size_t i = 0; i < maps_.size(); ++i)
+        bindings.push_back(gpu::sampled_image(binding::first_derived_map + static_cast<std::uint32_t>(i),
+                                              maps_[i].texture.view, maps_[i].sampler,
+                                              vk::ImageLayout::eShaderReadOnlyOptimal));
+    return bindings;
+}
+
+}  // namespace reliefbench

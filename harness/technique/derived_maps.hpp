@@ -1,0 +1,55 @@
+#pragma once
+
+// Internal to this layer: includes Vulkan.
+
+#include "gpu/memory.hpp"
+#include "technique/program.hpp"
+#include "technique/renderer.hpp"
+#include "technique/scene_textures.hpp"
+
+#include <vector>
+
+namespace reliefbench {
+
+/// The textures that a technique derives from the height map, and the compute passes that fill them.
+class DerivedMaps {
+public:
+    DerivedMaps(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
+                const SceneOnDevice::Textures& scene);
+
+    /// Runs all passes `samples` times in the manifest's order, timing each, and leaves the maps ready for draws.
+    Preparation prepare(int samples);
+
+    std::vector<gpu::Binding> draw_bindings() const;
+
+    /// For tests: one level as stored.
+    const gpu::Texture& texture(std::size_t map) const { return maps_[map].texture; }
+
+private:
+    struct Map {
+        gpu::Texture texture;
+        vk::raii::Sampler sampler;
+    };
+    struct Dispatch {
+        gpu::Pipeline pipeline;
+        std::int32_t level;
+        vk::Extent2D size;
+    };
+    struct Pass {
+        std::string name;
+        std::vector<Dispatch> dispatches;
+    };
+
+    void record_pass(const vk::raii::CommandBuffer& commands, const Pass& pass) const;
+    Pass make_pass(const Technique& technique, const PassDeclaration& declaration, const ParameterValues& parameters,
+                   const SceneOnDevice::Textures& scene) const;
+
+    const gpu::Device* device_;
+    std::vector<Map> maps_;
+    std::vector<Pass> passes_;
+};
+
+vk::Format vulkan_format(const MapDeclaration& map);
+vk::Extent2D map_extent(const MapDeclaration& map, Resolution height_map);
+
+}  // namespace reliefbench

@@ -1,0 +1,120 @@
+#include "technique/draw.hpp"
+
+#include "gpu/commands.hpp"
+#include "scene/colour.hpp"
+
+#include <cstring>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr vk::Format depth_format = vk::Format::eD32Sfloat;
+constexpr std::uint32_t patch_corners = 4;
+/// Numbers for each pixel, and for all stages before the fragment stage together (work.glsl).
+constexpr std::size_t work_values = 4;
+
+std::vector<vk::Format> target_formats(Draw::Kind kind) {
+    switch (kind) {
+        case Draw::Kind::probed:
+            return {vk::Format::eR32G32B32A32Sfloat, vk::Format::eR32G32B32A32Sfloat};
+        case Draw::Kind::timed_display:
+            return {vk::Format::eR8G8B8A8Unorm};
+        case Draw::Kind::timed_float:
+            return {vk::Format::eR32G32B32A32Sfloat};
+    }
+    return {};
+}
+
+vk::ClearColorValue background_of(Draw::Kind kind, const std::array<float, 3>& linear) {
+    std::array<float, 4> colour{linear[0], linear[1], linear[2], 0};
+    if (kind == Draw::Kind::timed_display) {
+        for (std::size_t i = 0; i < linear.size(); ++i)
+            colour[i] = static_cast<float>(srgb_encode(static_cast<double>(linear[i])));
+    }
+    return {.float32 = colour};
+}
+
+}  // namespace
+
+Draw::Draw(const gpu::Device& device, const Technique& technique, Kind kind, const DrawSetup& setup)
+    : device_(&device),
+      extent_(setup.extent),
+      vertices_(setup.vertices),
+      depth_(device, setup.extent, depth_format, 1,
+             vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eTransferSrc) {
+    const std::vector<vk::Format> formats = target_formats(kind);
+    for (const vk::Format format : formats)
+        colours_.emplace_back(device, extent_, format, 1,
+                              vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc);
+    clears_.push_back(background_of(kind, setup.background));
+
+    std::vector<gpu::Binding> bindings = setup.bindings;
+    gpu::GraphicsPipelineOptions options{
+        .stages = compile_draw(device, technique, kind == Kind::probed ? Variant::probed : Variant::timed),
+        .constants = setup.constants,
+        .colour_formats = formats,
+        .depth_format = depth_format,
+        .extent = extent_,
+        .patch_vertices = setup.patches ? patch_corners : 0};
+    options.constants[constant::srgb_target] = kind == Kind::timed_display ? 1 : 0;
+    if (kind == Kind::probed) {
+        clears_.push_back({.float32 = std::array<float, 4>{0, 0, 0, -1}});
+        const std::size_t pixels = std::size_t{extent_.width} * extent_.height;
+        work_.emplace(device, (1 + pixels) * work_values * sizeof(std::uint32_t),
+                      vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst, true);
+        bindings.push_back(gpu::storage_buffer(binding::work, work_->buffer));
+    }
+    pipeline_ = gpu::make_graphics_pipeline(device, options, bindings);
+}
+
+void Draw::begin(const vk::raii::CommandBuffer& commands) const {
+    for (const gpu::Texture& colour : colours_)
+        gpu::change_layout(commands, *colour.image, colour.all(), vk::ImageLayout::eUndefined,
+                           vk::ImageLayout::eColorAttachmentOptimal);
+    gpu::change_layout(commands, *depth_.image, depth_.all(), vk::ImageLayout::eUndefined,
+                       vk::ImageLayout::eDepthAttachmentOptimal);
+    if (work_) {
+        commands.fillBuffer(*work_->buffer, 0, VK_WHOLE_SIZE, 0);
+        gpu::full_barrier(commands);
+    }
+}
+
+void Draw::record(const vk::raii::CommandBuffer& commands) const {
+    std::vector<vk::RenderingAttachmentInfo> attachments;
+    for (std::size_t i = 0; i < colours_.size(); ++i)
+        attachments.push_back({.imageView = *colours_[i].view,
+                               .imageLayout = vk::ImageLayout::eColorAttachmentOptimal,
+                               .loadOp = vk::AttachmentLoadOp::eClear,
+                               .storeOp = vk::AttachmentStoreOp::eStore,
+                               .clearValue = vk::ClearValue{.color = clears_[i]}});
+    const vk::RenderingAttachmentInfo depth{.imageView = *depth_.view,
+                                            .imageLayout = vk::ImageLayout::eDepthAttachmentOptimal,
+                                            .loadOp = vk::AttachmentLoadOp::eClear,
+                                            .storeOp = vk::AttachmentStoreOp::eStore,
+                                            .clearValue = vk::ClearValue{.depthStencil = {.depth = 1}}};
+    commands.beginRendering(vk::RenderingInfo{.renderArea = {.extent = extent_},
+                                              .layerCount = 1,
+                                              .colorAttachmentCount = static_cast<std::uint32_t>(attachments.size()),
+                                              .pColorAttachments = attachments.data(),
+                                              .pDepthAttachment = &depth});
+    pipeline_.bind(commands);
+    commands.draw(vertices_, 1, 0, 0);
+    commands.endRendering();
+}
+
+std::vector<std::byte> Draw::read_target(std::size_t colour_target) const {
+    return gpu::read_texture(*device_, colours_[colour_target], 0, vk::ImageLayout::eColorAttachmentOptimal);
+}
+
+std::vector<std::byte> Draw::read_depth() const {
+    return gpu::read_texture(*device_, depth_, 0, vk::ImageLayout::eDepthAttachmentOptimal);
+}
+
+std::vector<std::uint32_t> Draw::read_work() const {
+    std::vector<std::uint32_t> values(work_->size / sizeof(std::uint32_t));
+    std::memcpy(values.data(), work_->mapped, work_->size);
+    return values;
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,56 @@
+#pragma once
+
+// Internal to this layer: includes Vulkan.
+
+#include "gpu/memory.hpp"
+#include "gpu/pipeline.hpp"
+#include "technique/program.hpp"
+#include "technique/renderer.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace reliefbench {
+
+/// What a draw of a technique needs besides the technique.
+struct DrawSetup {
+    vk::Extent2D extent;
+    gpu::SpecializationValues constants;
+    std::vector<gpu::Binding> bindings;
+    std::uint32_t vertices = 4;
+    bool patches = false;
+    /// Linear RGB.
+    std::array<float, 3> background{};
+};
+
+/// Targets, pipeline and work counters of one compilation of a technique.
+class Draw {
+public:
+    enum class Kind { probed, timed_display, timed_float };
+
+    Draw(const gpu::Device& device, const Technique& technique, Kind kind, const DrawSetup& setup);
+
+    /// Brings targets into their layouts and clears the work counters; once per submission, before the first draw.
+    void begin(const vk::raii::CommandBuffer& commands) const;
+    /// One whole pass: clear, draw, store.
+    void record(const vk::raii::CommandBuffer& commands) const;
+
+    /// Row 0 is the top. After the submission has ended.
+    std::vector<std::byte> read_target(std::size_t colour_target) const;
+    std::vector<std::byte> read_depth() const;
+    /// Probed only: four numbers of the stages, then four for each pixel.
+    std::vector<std::uint32_t> read_work() const;
+
+private:
+    const gpu::Device* device_;
+    vk::Extent2D extent_;
+    std::uint32_t vertices_;
+    std::vector<gpu::Texture> colours_;
+    std::vector<vk::ClearColorValue> clears_;
+    gpu::Texture depth_;
+    std::optional<gpu::Buffer> work_;
+    gpu::Pipeline pipeline_;
+};
+
+}  // namespace reliefbench

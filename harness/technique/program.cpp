@@ -1,0 +1,172 @@
+#include "technique/program.hpp"
+
+#include "core/error.hpp"
+#include "gpu/shader_cache.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <limits>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr const char* pass_file = "pass.glsl";
+
+/// A constant for each parameter; its value always comes by specialization, so that all values share one compilation.
+std::string declare_parameters(const Manifest& manifest) {
+    std::string text;
+    std::uint32_t id = constant::first_parameter;
+    for (const Parameter& parameter : manifest.parameters) {
+        const char* declaration = nullptr;
+        switch (parameter.type) {
+            case ParameterType::integer:
+            case ParameterType::choice:
+                declaration = "layout(constant_id = {}) const int {} = 0;\n";
+                break;
+            case ParameterType::real:
+                declaration = "layout(constant_id = {}) const float {} = 0.0;\n";
+                break;
+            case ParameterType::boolean:
+                declaration = "layout(constant_id = {}) const bool {} = false;\n";
+                break;
+        }
+        text += fmt::format(fmt::runtime(declaration), id++, parameter.name);
+        for (std::size_t i = 0; i < parameter.choices.size(); ++i)
+            text += fmt::format("const int {}_{} = {};\n", parameter.name, parameter.choices[i], i);
+    }
+    return text;
+}
+
+std::string declare_map(const MapDeclaration& map, std::size_t index) {
+    return fmt::format("layout(set = 0, binding = {}) uniform sampler2D {};\n", binding::first_derived_map + index,
+                       map.name);
+}
+
+const MapDeclaration& find_map(const Manifest& manifest, const std::string& name) {
+    const auto found = std::find_if(manifest.maps.begin(), manifest.maps.end(),
+                                    [&](const MapDeclaration& map) { return map.name == name; });
+    assert(found != manifest.maps.end());
+    return *found;
+}
+
+gpu::CompiledStage compile_stage(const gpu::Device& device, const Technique& technique, const std::string& key,
+                                 gpu::ShaderSource source) {
+    source.roots = {shader_root(), technique.folder};
+    const std::string full_key = fmt::format("{}\n{}\n{}\n{}\n{}", technique.folder.string(), technique.hash,
+                                             shader_root().string(), source.file, key);
+    const gpu::ShaderStage stage = source.stage;
+    auto code = device.shader_cache().get(full_key, [&] {
+        try {
+            return gpu::compile_shader(source);
+        } catch (const Error& error) {
+            fail("technique '{}' ({}) does not compile:\n{}", technique.manifest.id, technique.folder.string(),
+                 error.what());
+        }
+    });
+    return {stage, std::move(code)};
+}
+
+struct StageFile {
+    gpu::ShaderStage stage;
+    const char* file;
+    /// Tells patches.glsl which stage includes it.
+    const char* definition;
+};
+
+std::vector<StageFile> stage_files(Shape::Kind shape) {
+    using gpu::ShaderStage;
+    if (shape == Shape::Kind::quad)
+        return {{ShaderStage::vertex, "quad.vert", ""}, {ShaderStage::fragment, "quad.frag", ""}};
+    return {{ShaderStage::vertex, "patches.vert", ""},
+            {ShaderStage::tessellation_control, "control.tesc", "#define RELIEFBENCH_CONTROL 1\n"},
+            {ShaderStage::tessellation_evaluation, "evaluation.tese", "#define RELIEFBENCH_EVALUATION 1\n"},
+            {ShaderStage::fragment, "patches.frag", ""}};
+}
+
+}  // namespace
+
+std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Technique& technique, Variant variant) {
+    const Manifest& manifest = technique.manifest;
+    const bool probed = variant == Variant::probed;
+    std::string preamble = probed ? "#define RELIEFBENCH_PROBED 1\n" : "";
+    preamble += declare_parameters(manifest);
+    for (std::size_t i = 0; i < manifest.maps.size(); ++i)
+        preamble += declare_map(manifest.maps[i], i);
+
+    std::vector<gpu::CompiledStage> stages;
+    for (const StageFile& file : stage_files(manifest.shape.kind)) {
+        stages.push_back(compile_stage(device, technique, probed ? "probed" : "timed",
+                                       {.stage = file.stage,
+                                        .file = file.file,
+                                        .roots = {},
+                                        .generated = {},
+                                        .preamble = file.definition + preamble}));
+    }
+    return stages;
+}
+
+gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& technique, const PassDeclaration& pass) {
+    const Manifest& manifest = technique.manifest;
+    std::string preamble = declare_parameters(manifest);
+    for (const std::size_t map : maps_before(manifest, pass))
+        preamble += declare_map(manifest.maps[map], map);
+    // The format names of technique.json are GLSL's.
+    preamble += fmt::format("layout(set = 0, binding = {}, {}) uniform writeonly image2D target_map;\n",
+                            binding::target_map, find_map(manifest, pass.writes).format);
+    if (pass.levels == PassDeclaration::Levels::above_base) preamble += "#define RELIEFBENCH_ABOVE_BASE 1\n";
+    return compile_stage(device, technique, pass.name,
+                         {.stage = gpu::ShaderStage::compute,
+                          .file = "prepare.comp",
+                          .roots = {},
+                          .generated = {{pass_file, fmt::format("#include \"{}\"\n", pass.shader)}},
+                          .preamble = preamble});
+}
+
+gpu::SpecializationValues parameter_constants(const Manifest& manifest, const ParameterValues& values) {
+    gpu::SpecializationValues constants;
+    std::uint32_t id = constant::first_parameter;
+    for (const Parameter& parameter : manifest.parameters) {
+        const auto found = values.find(parameter.name);
+        if (found == values.end()) fail("technique '{}': parameter '{}' has no value", manifest.id, parameter.name);
+        const std::string problem = check_parameter_value(parameter, found->second);
+        if (!problem.empty()) fail("technique '{}': parameter '{}': {}", manifest.id, parameter.name, problem);
+
+        std::uint32_t bits = 0;
+        switch (parameter.type) {
+            case ParameterType::integer:
+                bits = static_cast<std::uint32_t>(std::get<std::int64_t>(found->second));
+                break;
+            case ParameterType::real:
+                bits = std::bit_cast<std::uint32_t>(static_cast<float>(std::get<double>(found->second)));
+                break;
+            case ParameterType::boolean:
+                bits = std::get<bool>(found->second) ? 1 : 0;
+                break;
+            case ParameterType::choice: {
+                const auto& word = std::get<std::string>(found->second);
+                const auto position = std::find(parameter.choices.begin(), parameter.choices.end(), word);
+                bits = static_cast<std::uint32_t>(position - parameter.choices.begin());
+                break;
+            }
+        }
+        constants[id++] = bits;
+    }
+    return constants;
+}
+
+std::vector<std::size_t> maps_before(const Manifest& manifest, const PassDeclaration& pass) {
+    std::vector<std::size_t> result;
+    for (std::size_t map = 0; map < manifest.maps.size(); ++map) {
+        const std::string& name = manifest.maps[map].name;
+        const auto end = std::find_if(manifest.passes.begin(), manifest.passes.end(),
+                                      [&](const PassDeclaration& other) { return other.name == pass.name; });
+        const bool written = std::any_of(manifest.passes.begin(), end,
+                                         [&](const PassDeclaration& other) { return other.writes == name; });
+        if (written && name != pass.writes) result.push_back(map);
+    }
+    return result;
+}
+
+}  // namespace reliefbench

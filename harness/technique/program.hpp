@@ -1,0 +1,48 @@
+#pragma once
+
+// Internal to this layer: includes Vulkan.
+
+#include "gpu/pipeline.hpp"
+#include "technique/technique.hpp"
+
+#include <vector>
+
+namespace reliefbench {
+
+/// Binding numbers of harness/shaders.
+namespace binding {
+inline constexpr std::uint32_t scene = 0;
+inline constexpr std::uint32_t height_map = 1;
+inline constexpr std::uint32_t height_texels = 2;
+inline constexpr std::uint32_t height_derivatives = 3;
+inline constexpr std::uint32_t albedo = 4;
+inline constexpr std::uint32_t work = 5;
+inline constexpr std::uint32_t target_map = 6;
+inline constexpr std::uint32_t previous_map = 7;
+inline constexpr std::uint32_t first_derived_map = 8;
+}  // namespace binding
+
+/// constant_id numbers of harness/shaders; parameters follow in the order of the manifest.
+namespace constant {
+inline constexpr std::uint32_t srgb_target = 0;
+inline constexpr std::uint32_t lighting_enabled = 1;
+inline constexpr std::uint32_t relief_repeats = 2;
+inline constexpr std::uint32_t first_parameter = 16;
+}  // namespace constant
+
+/// The two compilations of a technique's draw.
+enum class Variant { timed, probed };
+
+/// All stages of a technique's draw, from the device's shader cache where they have been compiled before. What does not
+/// compile is an Error that names technique, file and line.
+std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Technique& technique, Variant variant);
+
+gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& technique, const PassDeclaration& pass);
+
+/// A parameter's value as the 32 bits of its specialization constant.
+gpu::SpecializationValues parameter_constants(const Manifest& manifest, const ParameterValues& values);
+
+/// Maps that a pass may read: those finished by earlier passes. Indices into manifest.maps.
+std::vector<std::size_t> maps_before(const Manifest& manifest, const PassDeclaration& pass);
+
+}  // namespace reliefbench

@@ -1,0 +1,195 @@
+#include "technique/renderer.hpp"
+
+#include "core/error.hpp"
+#include "gpu/commands.hpp"
+#include "gpu/timers.hpp"
+#include "technique/derived_maps.hpp"
+#include "technique/draw.hpp"
+#include "technique/program.hpp"
+#include "technique/scene_textures.hpp"
+#include "technique/scene_uniforms.hpp"
+
+#include <cassert>
+#include <cstring>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr std::uint32_t corners = 4;
+/// work.glsl: the bit beside the count of unconverged searches that says that a fragment ran.
+constexpr std::uint32_t covered_bit = 0x80000000u;
+constexpr std::size_t work_values = 4;
+
+template <typename Texel>
+Image<Texel> to_image(Resolution size, const std::vector<std::byte>& bytes) {
+    static_assert(std::is_trivially_copyable_v<Texel>);
+    Image<Texel> image(size);
+    assert(bytes.size() == image.texels.size() * sizeof(Texel));
+    std::memcpy(image.texels.data(), bytes.data(), bytes.size());
+    return image;
+}
+
+PixelWork to_work(const std::uint32_t* values) {
+    return {.taps = values[0], .texels = values[1], .steps = values[2], .unconverged = values[3] & ~covered_bit};
+}
+
+SceneUniforms uniforms_of(const Technique& technique, const ParameterValues& parameters, Resolution height_map,
+                          const View& view, const Lighting& lighting) {
+    return make_scene_uniforms(view, lighting, patch_grid(technique.manifest, parameters, view, height_map));
+}
+
+gpu::Buffer upload_uniforms(const gpu::Device& device, const SceneUniforms& uniforms) {
+    return gpu::make_filled_buffer(device, vk::BufferUsageFlagBits::eUniformBuffer,
+                                   std::as_bytes(std::span(&uniforms, 1)));
+}
+
+}  // namespace
+
+struct Renderer::State {
+    State(const gpu::Device& used_device, const Technique& used_technique, const ParameterValues& parameters,
+          const SceneOnDevice& scene, const View& view, const Lighting& lighting)
+        : device(used_device),
+          technique(used_technique),
+          resolution(view.resolution),
+          maps(device, technique, parameters, scene.textures()),
+          uniforms(upload_uniforms(device, uniforms_of(technique, parameters, scene.textures().size, view, lighting))),
+          setup(make_setup(parameters, scene, view, lighting)),
+          display(device, technique, Draw::Kind::timed_display, setup) {}
+
+    const gpu::Device& device;
+    Technique technique;
+    Resolution resolution;
+    DerivedMaps maps;
+    gpu::Buffer uniforms;
+    DrawSetup setup;
+    Draw display;
+    bool prepared = false;
+
+    DrawSetup make_setup(const ParameterValues& parameters, const SceneOnDevice& scene, const View& view,
+                         const Lighting& lighting) const;
+    /// One draw, submitted and finished.
+    void draw_once(const Draw& draw) const;
+};
+
+DrawSetup Renderer::State::make_setup(const ParameterValues& parameters, const SceneOnDevice& scene, const View& view,
+                                      const Lighting& lighting) const {
+    DrawSetup result;
+    result.extent.width = static_cast<std::uint32_t>(resolution.width);
+    result.extent.height = static_cast<std::uint32_t>(resolution.height);
+    result.constants = parameter_constants(technique.manifest, parameters);
+    result.constants[constant::lighting_enabled] = lighting.enabled ? 1 : 0;
+    result.constants[constant::relief_repeats] = view.relief.boundary == Boundary::repeat ? 1 : 0;
+    result.bindings = scene.textures().all_bindings();
+    result.bindings.push_back(gpu::uniform_buffer(binding::scene, uniforms.buffer));
+    for (const gpu::Binding& map : maps.draw_bindings())
+        result.bindings.push_back(map);
+    result.patches = technique.manifest.shape.kind == Shape::Kind::patches;
+    const PatchGrid grid = patch_grid(technique.manifest, parameters, view, scene.textures().size);
+    result.vertices = corners * static_cast<std::uint32_t>(grid.count.x * grid.count.y);
+    for (int i = 0; i < 3; ++i)
+        result.background[static_cast<std::size_t>(i)] = static_cast<float>(lighting.background[i]);
+    return result;
+}
+
+void Renderer::State::draw_once(const Draw& draw) const {
+    assert(prepared);
+    const std::string what = fmt::format("draw with technique '{}'", technique.manifest.id);
+    gpu::submit_and_wait(device, what, [&](const vk::raii::CommandBuffer& commands) {
+        draw.begin(commands);
+        draw.record(commands);
+    });
+}
+
+Renderer::Renderer(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
+                   const SceneOnDevice& scene, const View& view, const Lighting& lighting)
+    : state_(std::make_unique<State>(device, technique, parameters, scene, view, lighting)) {}
+
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+
+Preparation Renderer::prepare(int samples) {
+    state_->prepared = true;
+    return state_->maps.prepare(samples);
+}
+
+Probe Renderer::probe() {
+    const Draw draw(state_->device, state_->technique, Draw::Kind::probed, state_->setup);
+    state_->draw_once(draw);
+
+    const Resolution size = state_->resolution;
+    const auto colours = to_image<std::array<float, 4>>(size, draw.read_target(0));
+    const std::vector<std::uint32_t> work = draw.read_work();
+    Probe probe{.hits = to_image<Hit>(size, draw.read_target(1)),
+                .colour = Image<std::array<float, 3>>(size),
+                .covered = Image<std::uint8_t>(size),
+                .work = Image<PixelWork>(size),
+                .stages = to_work(work.data())};
+    for (std::size_t i = 0; i < size.pixels(); ++i) {
+        const std::array<float, 4>& colour = colours.texels[i];
+        probe.colour.texels[i] = {colour[0], colour[1], colour[2]};
+        const std::uint32_t* const values = &work[(1 + i) * work_values];
+        probe.work.texels[i] = to_work(values);
+        probe.covered.texels[i] = static_cast<std::uint8_t>((values[3] & covered_bit) != 0);
+    }
+    return probe;
+}
+
+TimedPicture Renderer::draw_timed(ColourTarget target) {
+    const Resolution size = state_->resolution;
+    TimedPicture picture;
+    if (target == ColourTarget::linear_float) {
+        const Draw draw(state_->device, state_->technique, Draw::Kind::timed_float, state_->setup);
+        state_->draw_once(draw);
+        picture.colour = to_image<std::array<float, 4>>(size, draw.read_target(0));
+        picture.depth = to_image<float>(size, draw.read_depth());
+        return picture;
+    }
+    constexpr float largest = 255;
+    state_->draw_once(state_->display);
+    const auto bytes = to_image<std::array<std::uint8_t, 4>>(size, state_->display.read_target(0));
+    picture.colour = Image<std::array<float, 4>>(size);
+    for (std::size_t i = 0; i < size.pixels(); ++i) {
+        for (std::size_t channel = 0; channel < 4; ++channel)
+            picture.colour.texels[i][channel] = static_cast<float>(bytes.texels[i][channel]) / largest;
+    }
+    picture.depth = to_image<float>(size, state_->display.read_depth());
+    return picture;
+}
+
+PipelineStatistics Renderer::pipeline_statistics() {
+    if (!state_->device.info().has_feature("pipelineStatisticsQuery")) return {};
+    assert(state_->prepared);
+    const gpu::PipelineStatisticsQuery query(state_->device, state_->setup.patches);
+    gpu::submit_and_wait(state_->device, "count pipeline statistics", [&](const vk::raii::CommandBuffer& commands) {
+        state_->display.begin(commands);
+        query.start(commands);
+        state_->display.record(commands);
+        query.end(commands);
+    });
+    return query.read();
+}
+
+std::vector<double> Renderer::time_draw(int samples, int repeats) {
+    assert(state_->prepared && samples > 0 && repeats > 0);
+    const gpu::Timestamps timestamps(state_->device, static_cast<std::uint32_t>(samples));
+    const std::string what = fmt::format("time technique '{}'", state_->technique.manifest.id);
+    gpu::submit_and_wait(state_->device, what, [&](const vk::raii::CommandBuffer& commands) {
+        timestamps.reset(commands);
+        state_->display.begin(commands);
+        for (int sample = 0; sample < samples; ++sample) {
+            timestamps.start(commands, static_cast<std::uint32_t>(sample));
+            for (int repeat = 0; repeat < repeats; ++repeat) {
+                if (repeat > 0) gpu::full_barrier(commands);
+                state_->display.record(commands);
+            }
+            timestamps.end(commands, static_cast<std::uint32_t>(sample));
+        }
+    });
+    std::vector<double> milliseconds = timestamps.milliseconds();
+    for (double& value : milliseconds)
+        value /= repeats;
+    return milliseconds;
+}
+
+}  // namespace reliefbench

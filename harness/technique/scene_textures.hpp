@@ -1,0 +1,34 @@
+#pragma once
+
+// Internal to this layer: includes Vulkan.
+
+#include "gpu/memory.hpp"
+#include "gpu/pipeline.hpp"
+#include "technique/renderer.hpp"
+
+#include <vector>
+
+namespace reliefbench {
+
+struct SceneOnDevice::Textures {
+    Textures(const gpu::Device& device, const HeightMap& map, const Albedo& albedo);
+
+    Resolution size;
+    gpu::Texture heights;
+    gpu::Texture derivatives;
+    gpu::Texture albedo;
+    vk::raii::Sampler linear_repeat;
+    vk::raii::Sampler nearest_repeat;
+
+    /// What preparation passes see.
+    std::vector<gpu::Binding> height_bindings() const;
+    /// What draws see.
+    std::vector<gpu::Binding> all_bindings() const;
+};
+
+vk::Format vulkan_format(HeightFormat format);
+
+/// Heights as the format stores them, row 0 first.
+std::vector<std::byte> encode_heights(const Image<float>& heights, HeightFormat format);
+
+}  // namespace reliefbench

@@ -1,0 +1,94 @@
+#include "technique/scene_uniforms.hpp"
+
+#include "core/error.hpp"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <cassert>
+#include <cmath>
+
+namespace reliefbench {
+
+namespace {
+
+struct Region {
+    glm::dvec2 low{0, 0};
+    glm::dvec2 high{1, 1};
+};
+
+/// The unit square united with where rays that enter through it leave the relief at its bottom.
+Region visible_region(const View& view) {
+    Region region;
+    if (view.relief.boundary == Boundary::clip) return region;
+    const CameraFrame frame = camera_frame(view.camera);
+    const double depth = view.relief.height_scale;
+    for (const glm::dvec2 corner : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(1, 1)}) {
+        glm::dvec2 reached;
+        if (view.camera.projection == Projection::parallel) {
+            reached = corner - glm::dvec2(frame.forward) * (depth / frame.forward.z);
+        } else {
+            const glm::dvec2 below_eye = glm::dvec2(frame.eye) + 0.5;
+            reached = below_eye + (corner - below_eye) * ((frame.eye.z + depth) / frame.eye.z);
+        }
+        region.low = glm::min(region.low, reached);
+        region.high = glm::max(region.high, reached);
+    }
+    return region;
+}
+
+}  // namespace
+
+PatchGrid patch_grid(const Manifest& manifest, const ParameterValues& values, const View& view, Resolution height_map) {
+    PatchGrid grid;
+    if (manifest.shape.kind == Shape::Kind::quad) return grid;
+    const auto asked = std::get<std::int64_t>(values.at(manifest.shape.patches_parameter));
+    const glm::dvec2 texels = view.relief.tiling * glm::dvec2(height_map.width, height_map.height);
+    grid.per_side = asked > 0 ? glm::ivec2(static_cast<int>(asked))
+                              : glm::ivec2(glm::max(glm::ceil(texels / double(manifest.shape.texels_per_patch)), 1.0));
+    const Region region = visible_region(view);
+    grid.first = glm::ivec2(glm::floor(region.low * glm::dvec2(grid.per_side)));
+    grid.count = glm::ivec2(glm::ceil(region.high * glm::dvec2(grid.per_side))) - grid.first;
+    return grid;
+}
+
+SceneUniforms make_scene_uniforms(const View& view, const Lighting& lighting, const PatchGrid& patches) {
+    if (lighting.lights.size() > max_lights)
+        fail("{} lights are asked for; there can be {}", lighting.lights.size(), max_lights);
+    const CameraFrame frame = camera_frame(view.camera);
+    const double half_height = std::tan(glm::radians(view.camera.fov) / 2);
+    const double half_width = half_height * view.resolution.width / view.resolution.height;
+
+    SceneUniforms uniforms{};
+    uniforms.clip_from_world = glm::mat4(clip_from_world(view.camera, view.resolution));
+    uniforms.eye = glm::vec3(frame.eye);
+    uniforms.height_scale = static_cast<float>(view.relief.height_scale);
+    uniforms.forward = glm::vec3(frame.forward);
+    uniforms.tiling = static_cast<float>(view.relief.tiling);
+    uniforms.right = glm::vec3(frame.right * half_width);
+    uniforms.parallel_rays = view.camera.projection == Projection::parallel ? 1 : 0;
+    uniforms.up = glm::vec3(frame.up * half_height);
+    uniforms.light_count = static_cast<std::int32_t>(lighting.lights.size());
+    for (std::size_t i = 0; i < lighting.lights.size(); ++i) {
+        const DirectionalLight& light = lighting.lights[i];
+        if (glm::length(light.direction) == 0) fail("light {} has no direction", i);
+        uniforms.light_direction[i] = glm::vec4(glm::vec3(glm::normalize(light.direction)), 0);
+        uniforms.light_colour[i] = glm::vec4(glm::vec3(light.colour), 0);
+    }
+    uniforms.ambient = glm::vec3(lighting.ambient);
+    uniforms.shininess = static_cast<float>(lighting.shininess);
+    uniforms.specular = glm::vec3(lighting.specular);
+    if (lighting.fog) {
+        uniforms.fog_start = static_cast<float>(lighting.fog->start);
+        uniforms.fog_colour = glm::vec3(lighting.fog->colour);
+        uniforms.fog_range = static_cast<float>(lighting.fog->range);
+    }
+    uniforms.resolution = {view.resolution.width, view.resolution.height};
+    uniforms.patches_per_side = patches.per_side;
+    uniforms.first_patch = patches.first;
+    uniforms.patch_count = patches.count;
+    return uniforms;
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "scene/height_map.hpp"
+#include "scene/lighting.hpp"
+#include "scene/relief.hpp"
+#include "technique/technique.hpp"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+
+namespace reliefbench {
+
+inline constexpr std::size_t max_lights = 3;
+
+/// The uniform block of harness/shaders/scene.glsl, std140.
+struct SceneUniforms {
+    glm::mat4 clip_from_world;
+    glm::vec3 eye;
+    float height_scale;
+    glm::vec3 forward;
+    float tiling;
+    glm::vec3 right;
+    std::int32_t parallel_rays;
+    glm::vec3 up;
+    std::int32_t light_count;
+    std::array<glm::vec4, max_lights> light_direction;
+    std::array<glm::vec4, max_lights> light_colour;
+    glm::vec3 ambient;
+    float shininess;
+    glm::vec3 specular;
+    float fog_start;
+    glm::vec3 fog_colour;
+    float fog_range;
+    glm::ivec2 resolution;
+    glm::ivec2 patches_per_side;
+    glm::ivec2 first_patch;
+    glm::ivec2 patch_count;
+};
+static_assert(offsetof(SceneUniforms, eye) == 64);
+static_assert(offsetof(SceneUniforms, light_direction) == 128);
+static_assert(offsetof(SceneUniforms, ambient) == 224);
+static_assert(offsetof(SceneUniforms, resolution) == 272);
+static_assert(sizeof(SceneUniforms) == 304);
+
+/// A grid of patches over at least the part of the plane that is seen, in whole patches from the corner of the unit
+/// square.
+struct PatchGrid {
+    glm::ivec2 per_side{1, 1};
+    glm::ivec2 first{0, 0};
+    glm::ivec2 count{1, 1};
+};
+
+/// Boundary::clip: the unit square. Boundary::repeat: also what rays that enter inside the unit square can reach
+/// within the relief.
+PatchGrid patch_grid(const Manifest& manifest, const ParameterValues& values, const View& view, Resolution height_map);
+
+/// At most `max_lights` lights, and directions of any length but zero: else an Error.
+SceneUniforms make_scene_uniforms(const View& view, const Lighting& lighting, const PatchGrid& patches);
+
+}  // namespace reliefbench

@@ -1,0 +1,56 @@
+#include "core/error.hpp"
+#include "technique/derived_maps.hpp"
+#include "technique/renderer.hpp"
+
+#include <algorithm>
+
+namespace reliefbench {
+
+namespace {
+
+/// Bytes of the work counters of one pixel (work.glsl).
+constexpr std::uint64_t work_bytes_per_pixel = 16;
+
+std::string unsupported_map(const gpu::Device& device, const MapDeclaration& map, Resolution height_map) {
+    const vk::Extent2D extent = map_extent(map, height_map);
+    if (static_cast<int>(std::max(extent.width, extent.height)) > device.info().max_image_side)
+        return fmt::format("the map '{}' would be {}x{}; {} has images up to {} on a side", map.name, extent.width,
+                           extent.height, device.info().name, device.info().max_image_side);
+    auto needed = vk::FormatFeatureFlagBits::eStorageImage | vk::FormatFeatureFlagBits::eSampledImage;
+    if (map.linear_filter) needed |= vk::FormatFeatureFlagBits::eSampledImageFilterLinear;
+    const auto properties = device.handles().physical_device.getFormatProperties(vulkan_format(map));
+    const bool basic = map.format == "r32f" || map.format == "rgba8" || map.format == "rgba32f";
+    const bool writable = basic || device.info().has_feature("shaderStorageImageExtendedFormats");
+    if (!writable || (properties.optimalTilingFeatures & needed) != needed)
+        return fmt::format("{} cannot write or filter maps of format {}", device.info().name, map.format);
+    return {};
+}
+
+}  // namespace
+
+std::string unsupported_reason(const gpu::Device& device, const Technique& technique, const View& view,
+                               Resolution height_map) {
+    const gpu::DeviceInfo& info = device.info();
+    std::vector<std::string> needed = technique.manifest.features;
+    needed.emplace_back("fragmentStoresAndAtomics");
+    if (technique.manifest.shape.kind == Shape::Kind::patches) {
+        needed.emplace_back("tessellation");
+        needed.emplace_back("vertexPipelineStoresAndAtomics");
+    }
+    for (const std::string& feature : needed) {
+        if (!info.has_feature(feature)) return fmt::format("{} lacks the feature {}", info.name, feature);
+    }
+    const int largest = std::max({view.resolution.width, view.resolution.height, height_map.width, height_map.height});
+    if (largest > info.max_image_side)
+        return fmt::format("an image would be {} texels on a side; {} has {}", largest, info.name, info.max_image_side);
+    if ((view.resolution.pixels() + 1) * work_bytes_per_pixel > info.max_storage_buffer_bytes)
+        return fmt::format("{}x{} pixels need more work counters than {} holds in a buffer", view.resolution.width,
+                           view.resolution.height, info.name);
+    for (const MapDeclaration& map : technique.manifest.maps) {
+        const std::string reason = unsupported_map(device, map, height_map);
+        if (!reason.empty()) return reason;
+    }
+    return {};
+}
+
+}  // namespace reliefbench

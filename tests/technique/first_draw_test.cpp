@@ -1,0 +1,49 @@
+#include "test_scene.hpp"
+
+#include <cmath>
+
+namespace reliefbench {
+namespace {
+
+using namespace test;
+
+using Draw = DeviceTest;
+using Files = TemporaryTechnique::Files;
+
+// float32 in the shader against double: the entry of a ray at 80° is known to about 1e-6 of the patch.
+constexpr double entry_tolerance = 1e-5;
+
+TEST_F(Draw, CamerasAgree) {
+    const TemporaryTechnique folder(Files{{"trace.glsl", flat_trace}});
+    const Technique technique = folder.load();
+    const HeightMap map = make_map({4, 4}, [](int, int) { return 1.0; });
+    const SceneOnDevice scene(device(), map, grey_albedo());
+    for (const Projection projection : {Projection::perspective, Projection::parallel}) {
+        for (const double angle : {0.0, 45.0, 80.0}) {
+            View view = make_view(angle, projection, {96, 64});
+            view.camera.azimuth = -60;
+            Renderer renderer(device(), technique, {}, scene, view, Lighting{});
+            renderer.prepare();
+            const Probe probe = renderer.probe();
+            int compared = 0;
+            for (int j = 0; j < view.resolution.height; ++j) {
+                for (int i = 0; i < view.resolution.width; ++i) {
+                    const Hit& hit = probe.hits.at(i, j);
+                    const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
+                    const auto entry = footprint_entry(ray);
+                    EXPECT_EQ(hit.is_hit(), entry.has_value()) << i << ' ' << j << ' ' << angle;
+                    if (!hit.is_hit() || !entry) continue;
+                    ++compared;
+                    EXPECT_NEAR(hit.u, entry->x, entry_tolerance);
+                    EXPECT_NEAR(hit.v, entry->y, entry_tolerance);
+                    EXPECT_EQ(hit.h, 1.0f);
+                    EXPECT_NEAR(hit.t, -ray.origin.z / ray.direction.z, entry_tolerance);
+                }
+            }
+            EXPECT_GT(compared, 100) << angle;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace reliefbench
