@@ -1,0 +1,201 @@
+#include "reference/mesh_tracer.hpp"
+
+#include "core/error.hpp"
+#include "reference/vertex_grid.hpp"
+
+#include <embree3/rtcore.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace reliefbench {
+namespace {
+
+/// Rays start this far above z = 0, so that single precision cannot lose a hit at their very start.
+constexpr double start_height = 1e-3;
+
+/// Cells along a side of one of Embree's grids, at most 32,766; small enough that grids are built in parallel.
+constexpr int cells_per_grid = 256;
+
+template <auto release>
+struct Release {
+    template <typename Handle>
+    void operator()(Handle* handle) const {
+        release(handle);
+    }
+};
+
+using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release<rtcReleaseDevice>>;
+using SceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, Release<rtcReleaseScene>>;
+using GeometryHandle = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, Release<rtcReleaseGeometry>>;
+
+void keep_message(void* kept, RTCError, const char* message) {
+    *static_cast<std::string*>(kept) = message;
+}
+
+/// What the hit filter needs to know about a ray; Embree hands back the pointer to `context`.
+struct TracedRay {
+    RTCIntersectContext context;
+    glm::dvec3 origin;
+    glm::dvec3 direction;
+    bool clip;
+};
+static_assert(std::is_standard_layout_v<RTCIntersectContext>);
+
+/// Back faces are transparent, and with Boundary::clip so is all that lies outside the unit square: the ray goes on.
+void reject_transparent(const RTCFilterFunctionNArguments* arguments) {
+    assert(arguments->N == 1);
+    const auto* ray = reinterpret_cast<const TracedRay*>(arguments->context);
+    glm::dvec3 normal{RTCHitN_Ng_x(arguments->hit, 1, 0), RTCHitN_Ng_y(arguments->hit, 1, 0),
+                      RTCHitN_Ng_z(arguments->hit, 1, 0)};
+    if (normal.z < 0) normal = -normal;
+    const double t = RTCRayN_tfar(arguments->ray, 1, 0);
+    const double x = ray->origin.x + t * ray->direction.x;
+    const double y = ray->origin.y + t * ray->direction.y;
+    const bool outside = std::abs(x) > 0.5 || std::abs(y) > 0.5;
+    const bool from_below = glm::dot(normal, ray->direction) >= 0;
+    if (from_below || (ray->clip && outside)) arguments->valid[0] = 0;
+}
+
+/// The patch coordinates where rays of the footprint can meet the relief. Where a ray leaves the slab depends linearly
+/// on where it enters, so the corners of the footprint bound it.
+struct Extent {
+    glm::dvec2 low{0, 0};
+    glm::dvec2 high{1, 1};
+};
+
+Extent footprint_extent(const View& view) {
+    const CameraFrame frame = camera_frame(view.camera);
+    Extent extent;
+    for (const glm::dvec2 entry : {glm::dvec2{0, 0}, glm::dvec2{1, 0}, glm::dvec2{0, 1}, glm::dvec2{1, 1}}) {
+        const glm::dvec3 direction =
+            view.camera.projection == Projection::parallel ? frame.forward : glm::dvec3(entry - 0.5, 0.0) - frame.eye;
+        const glm::dvec2 exit = entry - glm::dvec2(direction) * (view.relief.height_scale / direction.z);
+        extent.low = glm::min(extent.low, exit);
+        extent.high = glm::max(extent.high, exit);
+    }
+    return extent;
+}
+
+void fill_grids(RTCGeometry geometry, const VertexGrid& mesh) {
+    std::vector<RTCGrid> grids;
+    for (int row = 0; row + 1 < mesh.rows; row += cells_per_grid) {
+        for (int column = 0; column + 1 < mesh.columns; column += cells_per_grid) {
+            const auto width = static_cast<unsigned short>(std::min(cells_per_grid + 1, mesh.columns - column));
+            const auto height = static_cast<unsigned short>(std::min(cells_per_grid + 1, mesh.rows - row));
+            const unsigned first = static_cast<unsigned>(row) * mesh.columns + static_cast<unsigned>(column);
+            grids.push_back({first, static_cast<unsigned>(mesh.columns), width, height});
+        }
+    }
+    void* buffer =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_GRID, 0, RTC_FORMAT_GRID, sizeof(RTCGrid), grids.size());
+    if (buffer) std::copy(grids.begin(), grids.end(), static_cast<RTCGrid*>(buffer));
+}
+
+void fill_triangles(RTCGeometry geometry, const VertexGrid& mesh) {
+    using Triangle = std::array<unsigned, 3>;
+    const std::size_t cells = static_cast<std::size_t>(mesh.columns - 1) * static_cast<std::size_t>(mesh.rows - 1);
+    void* buffer =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Triangle), 2 * cells);
+    if (!buffer) return;
+    auto* triangle = static_cast<Triangle*>(buffer);
+    const auto columns = static_cast<unsigned>(mesh.columns);
+    for (unsigned row = 0; row + 1 < static_cast<unsigned>(mesh.rows); ++row) {
+        for (unsigned column = 0; column + 1 < columns; ++column) {
+            const unsigned corner = row * columns + column;
+            *triangle++ = {corner, corner + 1, corner + columns};
+            *triangle++ = {corner + 1, corner + columns + 1, corner + columns};
+        }
+    }
+}
+
+}  // namespace
+
+struct MeshTracer::Scene {
+    std::string message;
+    Device device;
+    SceneHandle scene;
+    double height_scale = 1;
+    bool clip = false;
+};
+
+MeshTracer::MeshTracer(const HeightMap& map, const View& view, int subdivision, Geometry kind)
+    : scene_(std::make_unique<Scene>()) {
+    scene_->height_scale = view.relief.height_scale;
+    scene_->clip = view.relief.boundary == Boundary::clip;
+    const Extent extent = scene_->clip ? Extent{} : footprint_extent(view);
+    const VertexGrid mesh = enclosing_grid(map, view.relief, extent.low, extent.high, subdivision);
+
+    scene_->device.reset(rtcNewDevice(nullptr));
+    if (!scene_->device) fail("Embree gives no device for the mesh truth: check the package libembree3-3");
+    RTCDevice device = scene_->device.get();
+    rtcSetDeviceErrorFunction(device, keep_message, &scene_->message);
+    scene_->scene.reset(rtcNewScene(device));
+    rtcSetSceneFlags(scene_->scene.get(), RTC_SCENE_FLAG_ROBUST);
+
+    const GeometryHandle geometry(
+        rtcNewGeometry(device, kind == Geometry::grid ? RTC_GEOMETRY_TYPE_GRID : RTC_GEOMETRY_TYPE_TRIANGLE));
+    void* vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                             sizeof(Vertex), mesh.vertices());
+    if (vertices) {
+        displace(map, view.relief, mesh, std::span(static_cast<Vertex*>(vertices), mesh.vertices()));
+        kind == Geometry::grid ? fill_grids(geometry.get(), mesh) : fill_triangles(geometry.get(), mesh);
+        rtcSetGeometryIntersectFilterFunction(geometry.get(), reject_transparent);
+        rtcCommitGeometry(geometry.get());
+        rtcAttachGeometry(scene_->scene.get(), geometry.get());
+        rtcCommitScene(scene_->scene.get());
+    }
+    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) {
+        fail(
+            "Embree cannot build the mesh of {}x{} vertices for the height map '{}' ({}): lower the subdivision or the "
+            "tiling, or use the exact truth",
+            mesh.columns, mesh.rows, map.name, scene_->message);
+    }
+}
+
+MeshTracer::~MeshTracer() = default;
+MeshTracer::MeshTracer(MeshTracer&&) noexcept = default;
+MeshTracer& MeshTracer::operator=(MeshTracer&&) noexcept = default;
+
+std::optional<ExactHit> MeshTracer::trace(const Ray& ray) const {
+    if (!(ray.direction.z < 0)) return std::nullopt;
+    // Embree counts in single precision: the shorter the way from the ray's start to the relief, the less is lost.
+    const double t_top = -ray.origin.z / ray.direction.z;
+    const double t_start = t_top + start_height / ray.direction.z;
+
+    TracedRay traced{};
+    rtcInitIntersectContext(&traced.context);
+    traced.origin = ray.origin + t_start * ray.direction;
+    traced.direction = ray.direction;
+    traced.clip = scene_->clip;
+
+    RTCRayHit query{};
+    query.ray.org_x = static_cast<float>(traced.origin.x);
+    query.ray.org_y = static_cast<float>(traced.origin.y);
+    query.ray.org_z = static_cast<float>(traced.origin.z);
+    query.ray.dir_x = static_cast<float>(ray.direction.x);
+    query.ray.dir_y = static_cast<float>(ray.direction.y);
+    query.ray.dir_z = static_cast<float>(ray.direction.z);
+    query.ray.tfar = std::numeric_limits<float>::infinity();
+    query.ray.mask = ~0u;
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(scene_->scene.get(), &traced.context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+
+    const double t = std::max(t_start + static_cast<double>(query.ray.tfar), t_top);
+    const glm::dvec3 point = ray.origin + t * ray.direction;
+    return ExactHit{point.x + 0.5, point.y + 0.5, std::clamp(1 + point.z / scene_->height_scale, 0.0, 1.0), t};
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,90 @@
+#include "reference/truth.hpp"
+
+#include "core/parallel.hpp"
+#include "reference/exact_tracer.hpp"
+#include "reference/mesh_tracer.hpp"
+#include "reference/shading.hpp"
+#include "scene/shading_normal.hpp"
+
+#include <chrono>
+
+namespace reliefbench {
+namespace {
+
+constexpr std::size_t rows_per_task = 4;
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Calls body(i, j) for every pixel, rows in parallel.
+template <typename Body>
+void for_each_pixel(Resolution resolution, const Body& body) {
+    parallel_for(static_cast<std::size_t>(resolution.height), rows_per_task, [&](std::size_t begin, std::size_t end) {
+        for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j) {
+            for (int i = 0; i < resolution.width; ++i)
+                body(i, j);
+        }
+    });
+}
+
+Hit to_hit(const ExactHit& hit) {
+    return {static_cast<float>(hit.u), static_cast<float>(hit.v), static_cast<float>(hit.h), static_cast<float>(hit.t)};
+}
+
+template <typename Tracer>
+Truth trace_hits(const Tracer& tracer, const View& view) {
+    Truth truth;
+    truth.hits = HitImage(view.resolution);
+    truth.footprint = Image<std::uint8_t>(view.resolution);
+    for_each_pixel(view.resolution, [&](int i, int j) {
+        const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
+        const bool in_footprint = footprint_entry(ray).has_value();
+        truth.footprint.at(i, j) = in_footprint ? 1 : 0;
+        if (!in_footprint && view.relief.boundary == Boundary::repeat) return;
+        if (const auto hit = tracer.trace(ray)) truth.hits.at(i, j) = to_hit(*hit);
+    });
+    return truth;
+}
+
+}  // namespace
+
+Truth trace_exact_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting) {
+    const Clock::time_point start = Clock::now();
+    Truth truth = trace_hits(ExactTracer(map, view.relief), view);
+    truth.colour = shade_hits(truth.hits, map, albedo, view, lighting);
+    truth.trace_ms = milliseconds_since(start);
+    return truth;
+}
+
+Truth trace_mesh_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting,
+                       int subdivision) {
+    const Clock::time_point start = Clock::now();
+    Truth truth = trace_hits(MeshTracer(map, view, subdivision), view);
+    truth.colour = shade_hits(truth.hits, map, albedo, view, lighting);
+    truth.trace_ms = milliseconds_since(start);
+    return truth;
+}
+
+Image<std::array<float, 3>> shade_hits(const HitImage& hits, const HeightMap& map, const Albedo& albedo,
+                                       const View& view, const Lighting& lighting) {
+    const Image<std::array<float, 2>> derivatives = height_derivatives(map);
+    const double tiling = view.relief.tiling;
+    Image<std::array<float, 3>> colour(hits.size);
+    for_each_pixel(hits.size, [&](int i, int j) {
+        const Hit& hit = hits.at(i, j);
+        glm::dvec3 linear = lighting.background;
+        if (hit.is_hit()) {
+            const std::array<double, 3> sampled = albedo.sample(tiling * hit.u, tiling * hit.v);
+            const glm::dvec3 normal = shading_normal(derivatives, view.relief, hit.u, hit.v);
+            const glm::dvec3 to_eye = -pixel_ray(view.camera, view.resolution, i, j).direction;
+            linear = shade(lighting, {sampled[0], sampled[1], sampled[2]}, normal, to_eye, hit.t);
+        }
+        colour.at(i, j) = {static_cast<float>(linear.r), static_cast<float>(linear.g), static_cast<float>(linear.b)};
+    });
+    return colour;
+}
+
+}  // namespace reliefbench
