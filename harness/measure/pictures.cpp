@@ -36,7 +36,8 @@ void set_pixel(RasterFile& raster, std::size_t pixel, const std::array<float, 3>
 std::array<float, 3> error_colour(double error_texels) {
     const double decades = std::log10(largest_error_texels / smallest_error_texels);
     const double position = std::log10(std::max(error_texels, smallest_error_texels) / smallest_error_texels) / decades;
-    return magma(std::min(position, 1.0));
+    const std::array<double, 3> colour = magma(position);
+    return {static_cast<float>(colour[0]), static_cast<float>(colour[1]), static_cast<float>(colour[2])};
 }
 
 }  // namespace
@@ -65,6 +66,30 @@ RasterFile error_picture(const HitImage& hits, const Truth& truth, const HeightM
         } else {
             set_pixel(raster, pixel, hit ? false_hit_colour : nothing_colour);
         }
+    }
+    return raster;
+}
+
+RasterFile layers(const Probe& probe, const Truth& truth) {
+    RasterFile raster;
+    raster.size = probe.hits.size;
+    raster.bits = 32;
+    raster.channel_names = {"hit.u",   "hit.v",   "hit.h",         "hit.t",         "taps",
+                            "truth.u", "truth.v", "truth.h",       "truth.t",       "color.R",
+                            "color.G", "color.B", "truth_color.R", "truth_color.G", "truth_color.B"};
+    const auto covered = std::count_if(probe.covered.texels.begin(), probe.covered.texels.end(),
+                                       [](std::uint8_t value) { return value != 0; });
+    const float stage_taps = covered > 0 ? static_cast<float>(probe.stages.taps) / static_cast<float>(covered) : 0;
+    for (std::size_t pixel = 0; pixel < raster.size.pixels(); ++pixel) {
+        const Hit& hit = probe.hits.texels[pixel];
+        const Hit& truth_hit = truth.hits.texels[pixel];
+        const std::array<float, 3>& colour = probe.colour.texels[pixel];
+        const std::array<float, 3>& truth_colour = truth.colour.texels[pixel];
+        const float taps =
+            static_cast<float>(probe.work.texels[pixel].taps) + (probe.covered.texels[pixel] != 0 ? stage_taps : 0.0F);
+        raster.values.insert(raster.values.end(),
+                             {hit.u, hit.v, hit.h, hit.t, taps, truth_hit.u, truth_hit.v, truth_hit.h, truth_hit.t,
+                              colour[0], colour[1], colour[2], truth_colour[0], truth_colour[1], truth_colour[2]});
     }
     return raster;
 }

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "cli/exit_code.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace reliefbench {
+
+/// What the command line asked for: set by the subcommand that was parsed.
+using ChosenCommand = std::function<ExitCode()>;
+
+/// Each declares one subcommand with its options; when the command line names it, `chosen` runs it.
+void add_list_command(CLI::App& app, ChosenCommand& chosen);
+/// `command_line` goes into the run's record.
+void add_run_command(CLI::App& app, ChosenCommand& chosen, const std::vector<std::string>& command_line);
+void add_render_command(CLI::App& app, ChosenCommand& chosen);
+void add_verify_command(CLI::App& app, ChosenCommand& chosen);
+
+}  // namespace reliefbench

@@ -1,0 +1,15 @@
+#include "cli/exit_code.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace reliefbench {
+
+ExitCode graver(ExitCode first, ExitCode second) {
+    constexpr std::array gravest_first = {ExitCode::internal_error, ExitCode::bad_input, ExitCode::cells_failed,
+                                          ExitCode::regression,     ExitCode::undecided, ExitCode::done};
+    const auto rank = [&](ExitCode code) { return std::find(gravest_first.begin(), gravest_first.end(), code); };
+    return rank(first) < rank(second) ? first : second;
+}
+
+}  // namespace reliefbench

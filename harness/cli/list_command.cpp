@@ -1,0 +1,93 @@
+#include "cli/command.hpp"
+#include "cli/shared_options.hpp"
+#include "core/suggest.hpp"
+#include "scene/procedural.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace reliefbench {
+
+namespace {
+
+std::string allowed_values(const Parameter& parameter) {
+    switch (parameter.type) {
+        case ParameterType::boolean:
+            return "false|true";
+        case ParameterType::choice:
+            return join(parameter.choices, "|");
+        case ParameterType::integer:
+        case ParameterType::real:
+            return fmt::format("{}..{}", parameter.minimum, parameter.maximum);
+    }
+    return {};
+}
+
+void print_technique(const Technique& technique) {
+    const Manifest& manifest = technique.manifest;
+    fmt::print("{:<14} {} ({})\n", manifest.id, manifest.title, manifest.kind);
+    for (const Parameter& parameter : manifest.parameters) {
+        const bool is_sample_count = manifest.sample_count == parameter.name;
+        fmt::print("    {:<18} {:<12} {:<24} {}{}\n", parameter.name, to_string(parameter.default_value),
+                   allowed_values(parameter), parameter.help, is_sample_count ? " [the axis sample_count]" : "");
+    }
+    std::vector<std::string> promises;
+    for (const PromiseDeclaration& declaration : manifest.promises) {
+        promises.push_back(to_string(declaration.promise));
+    }
+    if (!promises.empty()) fmt::print("    promises: {}\n", join(promises));
+}
+
+ExitCode list_techniques(const TechniqueOptions& options) {
+    const TechniqueLibrary library = options.find();
+    for (const Technique& technique : library.techniques) {
+        print_technique(technique);
+    }
+    for (const auto& [id, message] : library.broken) {
+        fmt::print("{:<14} cannot be used: {}\n", id, message);
+    }
+    return ExitCode::done;
+}
+
+ExitCode list_devices() {
+    for (const gpu::DeviceInfo& device : gpu::list_devices()) {
+        fmt::print("{}  {} ({}, {} {}, Vulkan {}){}\n", device.index, device.name, to_string(device.type),
+                   device.driver, device.driver_version, device.api_version,
+                   device.unusable_reason.empty() ? "" : ": cannot be used: " + device.unusable_reason);
+    }
+    return ExitCode::done;
+}
+
+ExitCode list_height_maps() {
+    for (const ProceduralMap& map : procedural_maps()) {
+        fmt::print("{:<12} {}\n", map.name, map.description);
+    }
+    fmt::print("or the path of any image that OpenImageIO reads\n");
+    return ExitCode::done;
+}
+
+}  // namespace
+
+void add_list_command(CLI::App& app, ChosenCommand& chosen) {
+    CLI::App* list = app.add_subcommand("list", "List what there is to choose from");
+    list->require_subcommand(1);
+    list->footer("Example: reliefbench list techniques");
+
+    const auto options = std::make_shared<TechniqueOptions>();
+    CLI::App* techniques = list->add_subcommand(
+        "techniques", "Techniques: id, title (kind); parameters with default, values and meaning; promises");
+    techniques->footer("Example: reliefbench list techniques --techniques my_techniques");
+    options->add_to(*techniques);
+    techniques->callback([&chosen, options] { chosen = [options] { return list_techniques(*options); }; });
+
+    CLI::App* devices = list->add_subcommand("devices", "Vulkan devices: index, name (type, driver, version)");
+    devices->footer("Example: reliefbench list devices");
+    devices->callback([&chosen] { chosen = list_devices; });
+
+    CLI::App* height_maps = list->add_subcommand("heightmaps", "Procedural height maps");
+    height_maps->footer("Example: reliefbench list heightmaps");
+    height_maps->callback([&chosen] { chosen = list_height_maps; });
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,65 @@
+#include "cli/progress_printer.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr double terminal_interval_s = 0.1;
+constexpr double plain_interval_s = 5;
+constexpr std::size_t default_columns = 80;
+
+std::size_t terminal_columns() {
+    winsize size{};
+    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
+        return size.ws_col;
+    }
+    return default_columns;
+}
+
+}  // namespace
+
+std::string format_duration(double seconds) {
+    const auto whole = static_cast<long long>(std::llround(std::max(seconds, 0.0)));
+    if (whole >= 3600) return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+    return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+std::string format_progress(const Progress& progress) {
+    const std::string total = std::to_string(progress.cells_total);
+    std::string left;
+    if (progress.remaining_s >= 0) {
+        const double whole_s = progress.elapsed_s + progress.remaining_s;
+        const double percent = whole_s > 0 ? 100 * progress.elapsed_s / whole_s : 0;
+        left = fmt::format(" {:3.0f} %, {} left", percent, format_duration(progress.remaining_s));
+    }
+    return fmt::format("[{:>{}}/{}]{}: {}", progress.cells_done, total.size(), total, left, progress.current);
+}
+
+ProgressPrinter::ProgressPrinter() : terminal_(isatty(STDERR_FILENO) == 1) {}
+
+ProgressPrinter::~ProgressPrinter() {
+    if (terminal_ && last_s_ >= 0) std::fputs("\r\033[K", stderr);
+}
+
+void ProgressPrinter::operator()(const Progress& progress) {
+    const bool last = progress.cells_done == progress.cells_total;
+    const double interval_s = terminal_ ? terminal_interval_s : plain_interval_s;
+    if (!last && last_s_ >= 0 && progress.elapsed_s - last_s_ < interval_s) return;
+    last_s_ = progress.elapsed_s;
+    if (terminal_) {
+        fmt::print(stderr, "\r\033[K{:.{}}", format_progress(progress), terminal_columns() - 1);
+        std::fflush(stderr);
+    } else {
+        fmt::print(stderr, "{}\n", format_progress(progress));
+    }
+}
+
+}  // namespace reliefbench

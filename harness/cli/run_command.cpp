@@ -1,0 +1,143 @@
+#include "cli/command.hpp"
+#include "cli/progress_printer.hpp"
+#include "cli/run_sources.hpp"
+#include "cli/shared_options.hpp"
+#include "core/log.hpp"
+#include "measure/clock.hpp"
+#include "measure/run.hpp"
+#include "measure/run_record.hpp"
+#include "measure/shared_inputs.hpp"
+#include "report/table.hpp"
+#include "store/run_folder.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+#include <filesystem>
+#include <memory>
+
+namespace reliefbench {
+
+namespace {
+
+struct RunOptions {
+    std::string configuration;
+    std::string output;
+    std::vector<std::string> axes;
+    std::vector<std::string> filters;
+    bool dry_run = false;
+    TechniqueOptions library;
+    DeviceChoice device;
+    std::vector<std::string> command_line;
+};
+
+ExitCode print_plan(const std::vector<Cell>& cells) {
+    const std::vector<Block> blocks = make_blocks(cells);
+    std::size_t measured = 0;
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+        fmt::print("block {} of {}:\n", block + 1, blocks.size());
+        for (std::size_t index : blocks[block].cells) {
+            fmt::print("  {}\n", cells[index].id);
+        }
+        measured += blocks[block].cells.size();
+    }
+    if (measured < cells.size()) fmt::print("skipped:\n");
+    for (const Cell& cell : cells) {
+        if (!cell.skip_reason.empty()) fmt::print("  {}: {}\n", cell.id, cell.skip_reason);
+    }
+    fmt::print("{} cells in {} blocks, {} skipped\n", measured, blocks.size(), cells.size() - measured);
+    return ExitCode::done;
+}
+
+std::filesystem::path output_folder(const RunOptions& options, const Configuration& configuration) {
+    if (!options.output.empty()) return options.output;
+    const std::tm now = fmt::localtime(std::time(nullptr));
+    return std::filesystem::path("results") / fmt::format("{}-{:%Y%m%d-%H%M%S}", configuration.name, now);
+}
+
+void warn_of_constant_maps(const std::vector<HeightMapRecord>& maps) {
+    for (const HeightMapRecord& map : maps) {
+        if (map.constant) {
+            log_warning("height map '{}' is constant: there is no relief in it, and errors say nothing",
+                        map.source.name);
+        }
+    }
+}
+
+void print_split(const TimeSplit& split) {
+    const double useful_s = split.samples_s + split.truth_s;
+    fmt::print("time: {:.1f} s in all; {:.1f} s inside counted GPU samples, {:.1f} s tracing truths: {:.0f} %\n",
+               split.total_s, split.samples_s, split.truth_s, 100 * useful_s / split.total_s);
+}
+
+ExitCode report_failures(const std::vector<CellResult>& cells) {
+    std::size_t failures = 0;
+    for (const CellResult& cell : cells) {
+        if (cell.status == CellStatus::failed) {
+            ++failures;
+            fmt::print(stderr, "reliefbench: cell failed: {}: {}\n", cell.cell, cell.reason);
+        }
+    }
+    return failures > 0 ? ExitCode::cells_failed : ExitCode::done;
+}
+
+ExitCode run(const RunOptions& options) {
+    const double start_s = steady_clock().seconds();
+    const RunSources sources = read_run_sources(options.configuration, options.axes, options.filters, options.library);
+    if (options.dry_run) return print_plan(sources.cells);
+
+    const std::vector<HeightMapRecord> maps = inspect_height_maps(sources.cells);
+    warn_of_constant_maps(maps);
+    const gpu::Device device(options.device.options);
+    Json record = make_run_record({sources.configuration, sources.library, sources.cells, maps, device});
+    record["command_line"] = options.command_line;
+    record["filters"] = sources.filters;
+    record["technique_directories"] = sources.technique_directories;
+    RunWriter writer(output_folder(options, sources.configuration), record);
+    fmt::print(stderr, "{} cells on {}, results in {}\n", sources.cells.size(), device.info().name,
+               writer.folder().string());
+
+    RunOutcome outcome;
+    {
+        ProgressPrinter printer;
+        outcome = run_cells(device, sources.library, sources.configuration, sources.cells, writer,
+                            [&printer](const Progress& progress) { printer(progress); });
+    }
+    outcome.split.total_s = steady_clock().seconds() - start_s;
+    fmt::print("{}", format_table(outcome.cells));
+    print_split(outcome.split);
+    return graver(report_failures(outcome.cells), check_validation(device));
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, ChosenCommand& chosen, const std::vector<std::string>& command_line) {
+    const auto options = std::make_shared<RunOptions>();
+    options->command_line = command_line;
+    CLI::App* command = app.add_subcommand("run", "Measure every cell of a configuration");
+    command->add_option("configuration", options->configuration, "A configuration, or the run.json of an earlier run")
+        ->required()
+        ->type_name("CONFIG");
+    command
+        ->add_option("-o,--output", options->output,
+                     "Folder for the results; it must not hold a run yet; default: results/<name>-<time>")
+        ->type_name("DIR");
+    add_repeated_option(*command, "-a,--axis", options->axes,
+                        "Values of an axis or parameter in place of the configuration's: name=v1,v2 or "
+                        "name=[start:stop:step] (may be repeated)")
+        ->type_name("NAME=VALUES");
+    add_repeated_option(*command, "--filter", options->filters,
+                        "Keep only cells that fulfil this: technique=pom,qdm, view_angle>=60 (may be repeated; all "
+                        "must hold)")
+        ->type_name("EXPR");
+    command->add_flag("--dry-run", options->dry_run, "Print blocks and cells; measure and write nothing");
+    options->library.add_to(*command);
+    options->device.add_to(*command);
+    command->footer(
+        "The table goes to standard output, progress to standard error. Exit code 4 when some cells failed.\n"
+        "Example: reliefbench run configs/quick.json -a view_angle=0,60 --filter technique=pom,qdm -o results/mine");
+    command->callback([&chosen, options] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,88 @@
+#include "cli/run_sources.hpp"
+
+#include "core/json.hpp"
+#include "core/log.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace reliefbench {
+
+namespace {
+
+/// Every word of a "techniques" value, whatever its form: among them are the ids that it names.
+void collect_words(const Json& value, std::vector<std::string>& words) {
+    if (value.is_string()) {
+        words.push_back(value.get<std::string>());
+    }
+    if (value.is_structured()) {
+        for (const Json& element : value) {
+            collect_words(element, words);
+        }
+    }
+}
+
+/// The strings of an optional array of run.json.
+std::vector<std::string> recorded_strings(const JsonView& record, const std::string& key) {
+    std::vector<std::string> strings;
+    if (record.has(key)) {
+        for (const JsonView& item : record.at(key).items()) {
+            strings.push_back(item.string());
+        }
+    }
+    return strings;
+}
+
+std::vector<std::string> absolute_paths(const std::vector<std::string>& directories) {
+    std::vector<std::string> paths;
+    for (const std::string& directory : directories) {
+        const std::string path = std::filesystem::absolute(directory).lexically_normal().string();
+        if (std::find(paths.begin(), paths.end(), path) == paths.end()) {
+            paths.push_back(path);
+        }
+    }
+    return paths;
+}
+
+/// Warns of technique folders that cannot be used. One that the configuration names is an Error.
+void report_broken_techniques(const TechniqueLibrary& library, const std::vector<std::string>& named) {
+    for (const auto& [id, message] : library.broken) {
+        if (std::find(named.begin(), named.end(), id) != named.end()) {
+            library.get(id);
+        }
+        log_warning("technique '{}' cannot be used: {}", id, message);
+    }
+}
+
+}  // namespace
+
+RunSources read_run_sources(const std::string& path, const std::vector<std::string>& axes,
+                            const std::vector<std::string>& filters, const TechniqueOptions& techniques) {
+    const Json file = read_json_file(path);
+    const bool is_record = file.is_object() && file.contains("configuration");
+    const Json& configuration = is_record ? file.at("configuration") : file;
+
+    RunSources sources;
+    std::vector<std::string> directories = techniques.directories;
+    if (is_record) {
+        const JsonView record(file, path);
+        sources.filters = recorded_strings(record, "filters");
+        const std::vector<std::string> recorded = recorded_strings(record, "technique_directories");
+        directories.insert(directories.end(), recorded.begin(), recorded.end());
+    }
+    sources.filters.insert(sources.filters.end(), filters.begin(), filters.end());
+    sources.technique_directories = absolute_paths(directories);
+    sources.library = TechniqueOptions{sources.technique_directories}.find();
+
+    std::vector<std::string> named;
+    if (configuration.is_object() && configuration.contains("techniques")) {
+        collect_words(configuration.at("techniques"), named);
+    }
+    report_broken_techniques(sources.library, named);
+    const std::vector<Manifest> manifests = sources.library.manifests();
+    sources.configuration = read_configuration(path, axes, manifests);
+    sources.cells = filter_cells(expand(sources.configuration, manifests), sources.filters, manifests);
+    return sources;
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "cli/exit_code.hpp"
+#include "gpu/device.hpp"
+#include "technique/technique.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace reliefbench {
+
+/// Which techniques there are: the shipped ones and those of directories named with --techniques.
+struct TechniqueOptions {
+    std::vector<std::string> directories;
+
+    void add_to(CLI::App& command);
+    TechniqueLibrary find() const;
+};
+
+/// Which device, and whether the validation layer watches.
+struct DeviceChoice {
+    gpu::DeviceOptions options;
+
+    void add_to(CLI::App& command);
+};
+
+/// Says every message of the validation layer; one of them makes the command fail.
+ExitCode check_validation(const gpu::Device& device);
+
+/// An option that may be given many times with one argument each: `CONFIG` after it is not swallowed.
+CLI::Option* add_repeated_option(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                                 const std::string& help);
+
+}  // namespace reliefbench

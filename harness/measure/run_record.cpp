@@ -1,0 +1,79 @@
+#include "measure/run_record.hpp"
+
+#include "gpu/device.hpp"
+#include "store/environment.hpp"
+#include "technique/renderer.hpp"
+
+#include <map>
+#include <set>
+
+namespace reliefbench {
+
+namespace {
+
+Json device_record(const gpu::DeviceInfo& info) {
+    Json json;
+    json["name"] = info.name;
+    json["type"] = to_string(info.type);
+    json["driver"] = info.driver;
+    json["driver_version"] = info.driver_version;
+    json["api_version"] = info.api_version;
+    json["vendor_id"] = info.vendor_id;
+    json["device_id"] = info.device_id;
+    json["timestamp_period_ns"] = info.timestamp_period_ns;
+    json["timestamp_valid_bits"] = info.timestamp_valid_bits;
+    return json;
+}
+
+Json technique_hashes(const TechniqueLibrary& library, const std::vector<Cell>& cells) {
+    std::set<std::string> ids;
+    for (const Cell& cell : cells) {
+        ids.insert(cell.technique);
+    }
+    Json json = Json::object();
+    for (const std::string& id : ids) {
+        json[id] = library.get(id).hash;
+    }
+    return json;
+}
+
+Json height_map_records(const std::vector<HeightMapRecord>& maps) {
+    Json json = Json::array();
+    for (const HeightMapRecord& map : maps) {
+        Json entry;
+        entry["name"] = map.name;
+        entry["format"] = to_string(map.format);
+        entry["size"] = {map.size.width, map.size.height};
+        entry["hash"] = map.hash;
+        entry["albedo_hash"] = map.albedo_hash;
+        entry["mapping"] = map.mapping;
+        json.push_back(std::move(entry));
+    }
+    return json;
+}
+
+Json filter_deviations(const gpu::Device& device, const std::vector<HeightMapRecord>& maps) {
+    Json json = Json::object();
+    for (const HeightMapRecord& map : maps) {
+        const std::string format = to_string(map.format);
+        if (!json.contains(format)) {
+            json[format] = measure_filter_deviation(device, map.format);
+        }
+    }
+    return json;
+}
+
+}  // namespace
+
+Json make_run_record(const RunSubject& subject) {
+    Json record;
+    record["configuration"] = subject.configuration.expanded;
+    record["environment"] = environment_to_json();
+    record["device"] = device_record(subject.device.info());
+    record["techniques"] = technique_hashes(subject.library, subject.cells);
+    record["height_maps"] = height_map_records(subject.height_maps);
+    record["filter_deviation"] = filter_deviations(subject.device, subject.height_maps);
+    return record;
+}
+
+}  // namespace reliefbench
