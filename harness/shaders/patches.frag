@@ -12,6 +12,7 @@ void main() {
     // Where the relief goes on for ever it is evaluated in the footprint of the patch only.
     if (relief_repeats && !inside_patch(view.entry)) discard;
     count_pixel(scene.resolution, gl_FragCoord.xy, 0, true);
-    float t = dot(surface_point(surface.xy, surface.z) - view.origin, view.direction);
+    // As in quad.frag: never negative.
+    float t = max(0.0, dot(surface_point(surface.xy, surface.z) - view.origin, view.direction));
     write_surface(vec4(surface, t), view.direction, false, 1.0);
 }

@@ -1,5 +1,6 @@
 // The polygon itself: no relief, whatever the height map says.
 Trace trace(ReliefRay ray) {
     Trace polygon = hit_off_ray(ray.uv, 1.0, 0);
-    return normal_mapping ? polygon : with_polygon_normal(polygon);
+    polygon.flat_normal = !normal_mapping;
+    return polygon;
 }
