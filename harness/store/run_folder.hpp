@@ -1,9 +1,10 @@
 #pragma once
 
 #include "store/cell_result.hpp"
+#include "store/line_file.hpp"
 
-#include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,6 @@ struct RawSamples {
 class RunWriter {
 public:
     RunWriter(const std::filesystem::path& folder, const Json& run);
-    ~RunWriter();
-    RunWriter(const RunWriter&) = delete;
-    RunWriter& operator=(const RunWriter&) = delete;
 
     void append_cell(const CellResult& result);
     void append_samples(const RawSamples& samples);
@@ -39,8 +37,8 @@ public:
 
 private:
     std::filesystem::path folder_;
-    std::FILE* cells_ = nullptr;
-    std::FILE* samples_ = nullptr;
+    std::optional<LineFile> cells_;
+    std::optional<LineFile> samples_;
 };
 
 /// A run as read back.
@@ -49,6 +47,7 @@ struct Run {
     std::vector<CellResult> cells;
 };
 
+/// Strict: a line that is cut short, is no cell result or repeats a cell is an Error.
 Run read_run(const std::filesystem::path& folder);
 
 }  // namespace reliefbench

@@ -1,0 +1,227 @@
+#include "store/cell_result.hpp"
+
+#include <cassert>
+#include <cmath>
+
+namespace reliefbench {
+
+namespace {
+
+const std::vector<std::string> status_names = {"ok", "skipped", "failed"};
+
+/// Beside the passes, a member of "time".
+constexpr const char* ns_per_pixel_key = "ns_per_pixel";
+
+Json number(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+Json number(const std::optional<double>& value) {
+    return value ? number(*value) : Json(nullptr);
+}
+
+Json to_json(const PassTiming& timing) {
+    Json json;
+    json["median_ms"] = number(timing.median_ms);
+    json["mad_ms"] = number(timing.mad_ms);
+    json["ci95_ms"] = {number(timing.ci95_ms.low), number(timing.ci95_ms.high)};
+    json["n"] = timing.n;
+    json["repeats"] = timing.repeats;
+    return json;
+}
+
+Json to_json(const CellResult::Work& work) {
+    Json json;
+    json["taps_mean"] = number(work.taps_mean);
+    json["taps_p95"] = number(work.taps_p95);
+    json["texels_mean"] = number(work.texels_mean);
+    json["steps_mean"] = number(work.steps_mean);
+    json["steps_p95"] = number(work.steps_p95);
+    json["unconverged"] = number(work.unconverged);
+    json["covered_pixels"] = work.covered_pixels;
+    return json;
+}
+
+Json to_json(const std::optional<Summary>& summary) {
+    if (!summary) return nullptr;
+    Json json;
+    json["mean"] = number(summary->mean);
+    json["rms"] = number(summary->rms);
+    json["p50"] = number(summary->p50);
+    json["p95"] = number(summary->p95);
+    json["p99"] = number(summary->p99);
+    json["max"] = number(summary->max);
+    return json;
+}
+
+Json to_json(const CellResult::Errors& errors) {
+    Json json;
+    json["uv_texels"] = to_json(errors.uv_texels);
+    json["depth"] = to_json(errors.depth);
+    json["normal_deg"] = to_json(errors.normal_deg);
+    json["compared"] = errors.compared;
+    json["missed"] = number(errors.missed);
+    json["false_hits"] = number(errors.false_hits);
+    json["outside_quad"]["pixels"] = errors.outside_quad_pixels;
+    json["outside_quad"]["covered"] = number(errors.outside_quad_covered);
+    json["coverage_iou"] = number(errors.coverage_iou);
+    return json;
+}
+
+Json to_json(const CellResult::ImageFields& image) {
+    Json json;
+    json["flip"] = number(image.flip);
+    json["psnr"] = number(image.psnr);
+    json["ssim"] = number(image.ssim);
+    json["rmse"] = number(image.rmse);
+    return json;
+}
+
+template <typename Fields>
+Json fields_or_null(const std::optional<Fields>& fields) {
+    return fields ? to_json(*fields) : Json(nullptr);
+}
+
+std::uint64_t count(const JsonView& view) {
+    return static_cast<std::uint64_t>(view.integer(0));
+}
+
+/// `read` of a value that may be null.
+template <typename Read>
+auto optional(const JsonView& view, Read read) -> std::optional<decltype(read(view))> {
+    if (view.json().is_null()) return std::nullopt;
+    return read(view);
+}
+
+std::optional<double> optional_number(const JsonView& view) {
+    return optional(view, [](const JsonView& present) { return present.number(); });
+}
+
+PassTiming read_timing(const JsonView& view) {
+    view.require_only({"median_ms", "mad_ms", "ci95_ms", "n", "repeats"});
+    const std::vector<JsonView> interval = view.at("ci95_ms").items();
+    if (interval.size() != 2) view.at("ci95_ms").fail_expected("[low, high]");
+    PassTiming timing;
+    timing.median_ms = view.at("median_ms").number();
+    timing.mad_ms = view.at("mad_ms").number();
+    timing.ci95_ms = {interval[0].number(), interval[1].number()};
+    timing.n = count(view.at("n"));
+    timing.repeats = static_cast<int>(view.at("repeats").integer(1, std::numeric_limits<int>::max()));
+    return timing;
+}
+
+CellResult::Work read_work(const JsonView& view) {
+    view.require_only(
+        {"taps_mean", "taps_p95", "texels_mean", "steps_mean", "steps_p95", "unconverged", "covered_pixels"});
+    CellResult::Work work;
+    work.taps_mean = view.at("taps_mean").number();
+    work.taps_p95 = view.at("taps_p95").number();
+    work.texels_mean = view.at("texels_mean").number();
+    work.steps_mean = view.at("steps_mean").number();
+    work.steps_p95 = view.at("steps_p95").number();
+    work.unconverged = view.at("unconverged").number();
+    work.covered_pixels = count(view.at("covered_pixels"));
+    return work;
+}
+
+Summary read_summary(const JsonView& view) {
+    view.require_only({"mean", "rms", "p50", "p95", "p99", "max"});
+    Summary summary;
+    summary.mean = view.at("mean").number();
+    summary.rms = view.at("rms").number();
+    summary.p50 = view.at("p50").number();
+    summary.p95 = view.at("p95").number();
+    summary.p99 = view.at("p99").number();
+    summary.max = view.at("max").number();
+    return summary;
+}
+
+CellResult::Errors read_errors(const JsonView& view) {
+    view.require_only(
+        {"uv_texels", "depth", "normal_deg", "compared", "missed", "false_hits", "outside_quad", "coverage_iou"});
+    const JsonView outside_quad = view.at("outside_quad");
+    outside_quad.require_only({"pixels", "covered"});
+    CellResult::Errors errors;
+    errors.uv_texels = optional(view.at("uv_texels"), read_summary);
+    errors.depth = optional(view.at("depth"), read_summary);
+    errors.normal_deg = optional(view.at("normal_deg"), read_summary);
+    errors.compared = count(view.at("compared"));
+    errors.missed = view.at("missed").number();
+    errors.false_hits = view.at("false_hits").number();
+    errors.outside_quad_pixels = count(outside_quad.at("pixels"));
+    errors.outside_quad_covered = optional_number(outside_quad.at("covered"));
+    errors.coverage_iou = view.at("coverage_iou").number();
+    return errors;
+}
+
+CellResult::ImageFields read_image(const JsonView& view) {
+    view.require_only({"flip", "psnr", "ssim", "rmse"});
+    CellResult::ImageFields image;
+    image.flip = optional_number(view.at("flip"));
+    image.psnr = optional_number(view.at("psnr"));
+    image.ssim = optional_number(view.at("ssim"));
+    image.rmse = optional_number(view.at("rmse"));
+    return image;
+}
+
+Json read_object(const JsonView& view) {
+    if (!view.json().is_object()) view.fail_expected("an object");
+    return view.json();
+}
+
+}  // namespace
+
+Json to_json(const CellResult& result) {
+    Json json;
+    json["cell"] = result.cell;
+    json["technique"] = result.technique;
+    json["axes"] = result.axes.is_null() ? Json::object() : result.axes;
+    json["params"] = result.parameters.is_null() ? Json::object() : result.parameters;
+    json["status"] = status_names[static_cast<std::size_t>(result.status)];
+    json["reason"] = result.reason.empty() ? Json(nullptr) : Json(result.reason);
+    json["time"] = Json::object();
+    for (const auto& [pass, timing] : result.time) {
+        assert(pass != ns_per_pixel_key);
+        json["time"][pass] = to_json(timing);
+    }
+    json["time"][ns_per_pixel_key] = number(result.ns_per_pixel);
+    json["prepare"]["ms"] = number(result.prepare_ms);
+    json["prepare"]["bytes"] = result.prepare_bytes ? Json(*result.prepare_bytes) : Json(nullptr);
+    json["work"] = fields_or_null(result.work);
+    json["pipeline"] = Json::object();
+    for (const auto& [statistic, value] : result.pipeline) {
+        json["pipeline"][statistic] = value;
+    }
+    json["error"] = fields_or_null(result.error);
+    json["image"] = fields_or_null(result.image);
+    return json;
+}
+
+CellResult parse_cell_result(const Json& json, const std::string& file) {
+    const JsonView view(json, file);
+    view.require_only({"cell", "technique", "axes", "params", "status", "reason", "time", "prepare", "work", "pipeline",
+                       "error", "image"});
+    const JsonView prepare = view.at("prepare");
+    prepare.require_only({"ms", "bytes"});
+    CellResult result;
+    result.cell = view.at("cell").string();
+    result.technique = view.at("technique").string();
+    result.axes = read_object(view.at("axes"));
+    result.parameters = read_object(view.at("params"));
+    result.status = static_cast<CellStatus>(view.at("status").choice(status_names));
+    result.reason = optional(view.at("reason"), [](const JsonView& reason) { return reason.string(); }).value_or("");
+    for (const auto& [pass, timing] : view.at("time").members()) {
+        if (pass != ns_per_pixel_key) result.time[pass] = read_timing(timing);
+    }
+    result.ns_per_pixel = optional_number(view.at("time").at(ns_per_pixel_key));
+    result.prepare_ms = optional_number(prepare.at("ms"));
+    result.prepare_bytes = optional(prepare.at("bytes"), count);
+    result.work = optional(view.at("work"), read_work);
+    for (const auto& [statistic, value] : view.at("pipeline").members()) {
+        result.pipeline[statistic] = count(value);
+    }
+    result.error = optional(view.at("error"), read_errors);
+    result.image = optional(view.at("image"), read_image);
+    return result;
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,139 @@
+#include "store/run_folder.hpp"
+
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/hash.hpp"
+
+#include <cctype>
+#include <set>
+#include <string_view>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr const char* run_file = "run.json";
+constexpr const char* cells_file = "cells.jsonl";
+constexpr const char* samples_file = "samples.jsonl";
+
+/// File systems take names of 255 bytes: the rest is for the suffix.
+constexpr std::size_t longest_image_name = 180;
+constexpr std::size_t hash_digits_in_name = 8;
+
+/// False, too, where the folder may not be looked into; making files in it tells then.
+bool is_there(const std::filesystem::path& path) {
+    std::error_code ignored;
+    return std::filesystem::exists(path, ignored);
+}
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) {
+        fail("cannot create the folder {}: {}; choose another folder", folder.string(), error.message());
+    }
+}
+
+/// One line, whatever bytes the strings hold.
+std::string dump_line(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string dump_document(const Json& json) {
+    constexpr int indent = 2;
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+/// "pom+max_steps=16@heightmap=bricks+view_angle=60": spaces as +, the bar as @. An id that this would not keep apart
+/// from others ends in its hash.
+std::string image_name(const std::string& cell) {
+    std::string name;
+    bool distinct = cell.size() <= longest_image_name;
+    for (std::size_t at = 0; at < cell.size(); ++at) {
+        const char character = cell[at];
+        if (cell.compare(at, 3, " | ") == 0) {
+            name += '@';
+            at += 2;
+        } else if (character == ' ') {
+            name += '+';
+        } else if (std::isalnum(static_cast<unsigned char>(character)) != 0 ||
+                   std::string_view("._-=,").find(character) != std::string_view::npos) {
+            name += character;
+        } else {
+            name += '_';
+            distinct = false;
+        }
+    }
+    if (distinct) return name;
+    return name.substr(0, longest_image_name) + "-" + content_hash(cell).substr(0, hash_digits_in_name);
+}
+
+}  // namespace
+
+RunWriter::RunWriter(const std::filesystem::path& folder, const Json& run) : folder_(folder) {
+    for (const char* file : {run_file, cells_file, samples_file}) {
+        if (is_there(folder / file)) {
+            fail("{} already holds a run ({}): choose another folder, or remove it first", folder.string(), file);
+        }
+    }
+    const bool made_folder = !is_there(folder);
+    make_folder(folder);
+    try {
+        cells_.emplace(folder / cells_file);
+        samples_.emplace(folder / samples_file);
+        write_text_file(folder / run_file, dump_document(run));
+    } catch (const Error&) {
+        std::error_code ignored;
+        if (cells_) std::filesystem::remove(folder / cells_file, ignored);
+        if (samples_) std::filesystem::remove(folder / samples_file, ignored);
+        if (made_folder) std::filesystem::remove(folder, ignored);
+        throw;
+    }
+}
+
+void RunWriter::append_cell(const CellResult& result) {
+    cells_->append(dump_line(to_json(result)));
+}
+
+void RunWriter::append_samples(const RawSamples& samples) {
+    Json json;
+    json["cell"] = samples.cell;
+    json["pass"] = samples.pass;
+    json["round"] = samples.round;
+    json["order"] = samples.order;
+    json["repeats"] = samples.repeats;
+    json["ms"] = samples.ms;  // the library writes numbers that are not finite as null
+    samples_->append(dump_line(json));
+}
+
+std::filesystem::path RunWriter::image_path(const std::string& cell, const std::string& suffix) {
+    const std::filesystem::path images = folder_ / "images";
+    make_folder(images);
+    return images / (image_name(cell) + suffix);
+}
+
+Run read_run(const std::filesystem::path& folder) {
+    if (!is_there(folder / run_file)) {
+        fail("{} holds no run: there is no {} in it", folder.string(), run_file);
+    }
+    Run run;
+    run.run = read_json_file(folder / run_file);
+    const std::filesystem::path cells_path = folder / cells_file;
+    const std::string cells = read_text_file(cells_path);
+    std::set<std::string> ids;
+    std::size_t number = 1;
+    for (std::size_t begin = 0; begin < cells.size(); ++number) {
+        const std::string where = fmt::format("{} (line {})", cells_path.string(), number);
+        const std::size_t end = cells.find('\n', begin);
+        if (end == std::string::npos) fail("{}: the line is cut short; remove it", where);
+        const Json json = parse_json(std::string_view(cells).substr(begin, end - begin), where);
+        run.cells.push_back(parse_cell_result(json, where));
+        if (!ids.insert(run.cells.back().cell).second) {
+            fail("{}: the cell '{}' stands here for the second time; remove one", where, run.cells.back().cell);
+        }
+        begin = end + 1;
+    }
+    return run;
+}
+
+}  // namespace reliefbench
