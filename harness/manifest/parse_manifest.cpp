@@ -53,12 +53,12 @@ std::vector<std::string> parse_choices(const JsonView& view, const std::string& 
     std::vector<std::string> choices;
     for (const JsonView& item : view.items()) {
         const std::string word = item.string();
-        const bool fits =
-            !word.empty() && word.front() != '_' && word.back() != '_' && word.find("__") == std::string::npos &&
-            std::ranges::all_of(word, [](char c) {
-                return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-            });
-        if (!fits) item.fail_expected("a word of letters, digits and single underscores");
+        const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+        const auto fits = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+        if (word.empty() || !letter(word.front()) || word.back() == '_' || !std::ranges::all_of(word, fits) ||
+            word.find("__") != std::string::npos) {
+            item.fail_expected("a word of letters, digits and single underscores, a letter first");
+        }
         names.add(item, parameter + "_" + word);
         choices.push_back(word);
     }

@@ -1,0 +1,292 @@
+#include "manifest/manifest.hpp"
+
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "manifest/reserved_names.hpp"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <regex>
+
+namespace reliefbench {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A manifest with something of everything; tests change a part of it.
+Json complete() {
+    return parse_json(R"({
+        "title": "Test march", "kind": "march", "citation": "Nobody, 2024",
+        "parameters": [
+            {"name": "max_steps", "type": "integer", "default": 64, "range": [1, 256], "published": 32, "help": "Most."},
+            {"name": "min_steps", "type": "integer", "default": 8, "range": [1, 256], "help": "Least."},
+            {"name": "binary_steps", "type": "integer", "default": 5, "range": [0, 16], "help": "Halvings."},
+            {"name": "bias", "type": "real", "default": 0, "range": [-1, 1], "help": "Shift."},
+            {"name": "adaptive", "type": "boolean", "default": false, "help": "By angle."},
+            {"name": "leaf", "type": "choice", "choices": ["linear", "exact"], "default": "exact", "help": "Leaf."}],
+        "sample_count": "max_steps", "sample_count_minimum": "min_steps",
+        "features": ["tessellation"],
+        "maps": [{"name": "tree", "format": "r16", "size": "next_power_of_two", "mip_chain": true},
+                 {"name": "cones", "format": "rg32f", "linear_filter": true}],
+        "passes": [{"name": "leaves", "shader": "leaves.glsl", "writes": "tree"},
+                   {"name": "nodes", "shader": "nodes.glsl", "writes": "tree", "levels": "above_base"},
+                   {"name": "search", "shader": "sub/search.glsl", "writes": "cones", "levels": "base"}],
+        "shape": "quad",
+        "promises": [{"promise": "order_1", "with": {"adaptive": false}, "halvings": "binary_steps"},
+                     {"promise": "first_hit", "with": {"leaf": "exact", "bias": 0}}]
+    })",
+                      "test");
+}
+
+Manifest parse(const Json& json) {
+    return parse_manifest(json, "test", "technique.json");
+}
+
+std::string message_of(const Json& json, const std::string& id = "test") {
+    try {
+        parse_manifest(json, id, "technique.json");
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+/// `complete()` with the member at the JSON pointer replaced.
+Json with(const std::string& pointer, const Json& value) {
+    Json json = complete();
+    json[Json::json_pointer(pointer)] = value;
+    return json;
+}
+
+TEST(Manifest, IsReadInFull) {
+    const Manifest manifest = parse(complete());
+    EXPECT_EQ(manifest.id, "test");
+    EXPECT_EQ(manifest.title, "Test march");
+    EXPECT_EQ(manifest.kind, "march");
+    EXPECT_EQ(manifest.citation, "Nobody, 2024");
+    ASSERT_EQ(manifest.parameters.size(), 6U);
+    EXPECT_EQ(manifest.parameters[0].name, "max_steps");
+    EXPECT_EQ(manifest.parameters[0].maximum, 256);
+    EXPECT_EQ(manifest.parameters[0].published, ParameterValue(std::int64_t{32}));
+    EXPECT_EQ(manifest.parameters[3].default_value, ParameterValue(0.0));
+    EXPECT_EQ(manifest.parameters[4].published, std::nullopt);
+    EXPECT_THAT(manifest.parameters[5].choices, ElementsAre("linear", "exact"));
+    EXPECT_EQ(manifest.sample_count, "max_steps");
+    EXPECT_EQ(manifest.sample_count_minimum, "min_steps");
+    EXPECT_THAT(manifest.features, ElementsAre("tessellation"));
+    ASSERT_EQ(manifest.maps.size(), 2U);
+    EXPECT_EQ(manifest.maps[0].size, MapDeclaration::Size::next_power_of_two);
+    EXPECT_TRUE(manifest.maps[0].mip_chain);
+    EXPECT_EQ(manifest.maps[1].size, MapDeclaration::Size::height_map);
+    EXPECT_TRUE(manifest.maps[1].linear_filter);
+    ASSERT_EQ(manifest.passes.size(), 3U);
+    EXPECT_EQ(manifest.passes[1].levels, PassDeclaration::Levels::above_base);
+    EXPECT_EQ(manifest.passes[2].shader, "sub/search.glsl");
+    EXPECT_EQ(manifest.shape.kind, Shape::Kind::quad);
+    ASSERT_EQ(manifest.promises.size(), 2U);
+    EXPECT_EQ(manifest.promises[0].promise, Promise::order_1);
+    EXPECT_EQ(manifest.promises[0].halvings, "binary_steps");
+    EXPECT_EQ(manifest.promises[1].with.at("bias"), ParameterValue(0.0));
+    EXPECT_EQ(manifest.defaults().at("leaf"), ParameterValue(std::string("exact")));
+}
+
+TEST(Manifest, PatchesNameTheirParameterAndNeedTessellation) {
+    Json json = complete();
+    json.erase("features");
+    json["shape"] = parse_json(R"({"patches": {"parameter": "binary_steps"}})", "test");
+    const Manifest manifest = parse(json);
+    EXPECT_EQ(manifest.shape.kind, Shape::Kind::patches);
+    EXPECT_EQ(manifest.shape.patches_parameter, "binary_steps");
+    EXPECT_EQ(manifest.shape.texels_per_patch, 64);
+    EXPECT_THAT(manifest.features, ElementsAre("tessellation"));
+}
+
+TEST(Manifest, TheSampleCountTakesTheAdaptiveMinimumAlong) {
+    const Manifest manifest = parse(complete());
+    ParameterValues values = manifest.defaults();
+    set_sample_count(manifest, values, 128);
+    EXPECT_EQ(values.at("max_steps"), ParameterValue(std::int64_t{128}));
+    EXPECT_EQ(values.at("min_steps"), ParameterValue(std::int64_t{16}));
+    set_sample_count(manifest, values, 12);  // 12 · 8/64 = 1.5
+    EXPECT_EQ(values.at("min_steps"), ParameterValue(std::int64_t{2}));
+    set_sample_count(manifest, values, 1);
+    EXPECT_EQ(values.at("min_steps"), ParameterValue(std::int64_t{1}));
+}
+
+struct Broken {
+    const char* pointer;
+    const char* value;
+    const char* message;
+};
+
+TEST(Manifest, WhatIsWrongIsNamedWithItsPlace) {
+    const Broken cases[] = {
+        {"/titel", "1", "technique.json: $: unknown key \"titel\" (did you mean 'title'?)"},
+        {"/title", "\"\"", "technique.json: $.title: expected one line of text"},
+        {"/kind", "\"marsh\"", "(did you mean 'march'?)"},
+        {"/parameters/0/default", "0",
+         "$.parameters[0].default: max_steps cannot be 0: it is an integer from 1 to 256"},
+        {"/parameters/0/default", "1.5", "it is an integer from 1 to 256"},
+        {"/parameters/0/published", "1000", "$.parameters[0].published"},
+        {"/parameters/0/range", "[9, 1]", "$.parameters[0].range: expected a minimum that is not above the maximum"},
+        {"/parameters/0/range", "[1, 2, 3]", "[minimum, maximum]"},
+        {"/parameters/0/range", "[1, 4294967296]", "$.parameters[0].range[1]: expected an integer"},
+        {"/parameters/0/type", "\"int\"", "$.parameters[0].type"},
+        {"/parameters/0/choices", "[\"a\"]", "unknown key \"choices\""},
+        {"/parameters/0/help", "\"two\\nlines\"", "$.parameters[0].help: expected one line of text"},
+        {"/parameters/1/name", "\"max_steps\"", "$.parameters[1].name: the name 'max_steps' is given twice"},
+        {"/parameters/1/name", "\"leaf_exact\"", "the name 'leaf_exact' is given twice"},
+        {"/parameters/1/name", "\"while\"", "'while' is a name of GLSL"},
+        {"/parameters/1/name", "\"gl_steps\"", "'gl_steps' is a name of GLSL"},
+        {"/parameters/1/name", "\"trace\"", "'trace' is a name that the harness's shaders use"},
+        {"/parameters/1/name", "\"view_angle\"", "'view_angle' is an axis of the view"},
+        {"/parameters/1/name", "\"minSteps\"", "'minSteps' is no usable name"},
+        {"/parameters/5/choices", "[]", "$.parameters[5].choices: expected at least one choice"},
+        {"/parameters/5/choices", "[\"exact\", \"exact\"]",
+         "$.parameters[5].choices[1]: the name 'leaf_exact' is given"},
+        {"/parameters/5/choices", "[\"exact\", \"not so\"]", "$.parameters[5].choices[1]: expected a word"},
+        {"/parameters/5/default", "\"exat\"", "(did you mean 'exact'?)"},
+        {"/sample_count", "\"max_step\"", "$.sample_count: no parameter 'max_step' (did you mean 'max_steps'?)"},
+        {"/sample_count", "\"bias\"", "$.sample_count: the parameter 'bias' must be of type integer"},
+        {"/sample_count", "\"binary_steps\"", "must begin at 1 or above"},
+        {"/sample_count_minimum", "\"max_steps\"", "$.sample_count_minimum: it needs a \"sample_count\""},
+        {"/features/0", "\"tesselation\"", "$.features[0]"},
+        {"/maps/1/name", "\"tree\"", "$.maps[1].name: the name 'tree' is given twice"},
+        {"/maps/1/name", "\"bias\"", "$.maps[1].name: the name 'bias' is given twice"},
+        {"/maps/1/name", "\"height_map\"", "a name that the harness's shaders use"},
+        {"/maps/1/format", "\"r64\"", "$.maps[1].format"},
+        {"/maps/2", R"({"name": "idle", "format": "r8"})", "no pass writes the map 'idle'"},
+        {"/maps/1/mip_chain", "true", "no pass writes the levels above the base of the map 'cones'"},
+        {"/maps/0/mip_chain", "false", "$.passes[1]: the map 'tree' has no level above its base"},
+        {"/passes/0/writes", "\"tre\"", "$.passes[0].writes: no map 'tre' is declared (did you mean 'tree'?)"},
+        {"/passes/0/levels", "\"above_base\"", "$.passes[0]: no earlier pass writes the base of the map 'tree'"},
+        {"/passes/1/name", "\"leaves\"", "$.passes[1].name: the name 'leaves' is given twice"},
+        {"/passes/0/shader", "\"../other/leaves.glsl\"", "$.passes[0].shader: expected a file inside the technique's"},
+        {"/passes/0/shader", "\"/etc/leaves.glsl\"", "$.passes[0].shader: expected a file inside the technique's"},
+        {"/passes/0/shader", "\"\"", "$.passes[0].shader: expected a file inside the technique's"},
+        {"/shape", "\"quads\"", "$.shape: expected \"quad\""},
+        {"/shape", R"({"patches": {"parameter": "bias"}})", "$.shape.patches.parameter: the parameter 'bias' must be"},
+        {"/shape", R"({"patches": {"parameter": "max_steps", "texels_per_patch": 0}})", "texels_per_patch"},
+        {"/promises/0/promise", "\"order1\"", "(did you mean 'order_1'?)"},
+        {"/promises/0/with", R"({"adaptiv": false})", "no parameter 'adaptiv' (did you mean 'adaptive'?)"},
+        {"/promises/1/with/leaf", "\"exat\"", "$.promises[1].with.leaf: leaf cannot be exat"},
+        {"/promises/1/with/bias", "2", "$.promises[1].with.bias: bias cannot be 2"},
+        {"/promises/0/halvings", "\"adaptive\"", "$.promises[0].halvings: the parameter 'adaptive' must be of type"},
+        {"/promises/1/halvings", "\"binary_steps\"", "$.promises[1].halvings: it belongs to the promise order_1 only"},
+    };
+    for (const Broken& broken : cases) {
+        EXPECT_THAT(message_of(with(broken.pointer, parse_json(broken.value, "test"))), HasSubstr(broken.message))
+            << broken.pointer << " = " << broken.value;
+    }
+}
+
+TEST(Manifest, WhatIsMissingIsNamed) {
+    for (const char* key : {"title", "kind", "citation", "parameters", "shape", "promises"}) {
+        Json json = complete();
+        json.erase(key);
+        EXPECT_THAT(message_of(json), AllOf(HasSubstr("technique.json: $"), HasSubstr(key))) << key;
+    }
+    Json json = complete();
+    json.erase("sample_count");
+    json.erase("sample_count_minimum");
+    EXPECT_THAT(message_of(json), HasSubstr("$.promises[0].promise: it needs a \"sample_count\""));
+}
+
+TEST(Manifest, AnIdIsLowerCase) {
+    EXPECT_THAT(message_of(complete(), "My technique"), HasSubstr("'My technique' cannot be a technique's id"));
+    EXPECT_THAT(message_of(complete(), ""), HasSubstr("cannot be a technique's id"));
+    EXPECT_EQ(message_of(complete(), "cone_step_2"), "no error");
+}
+
+TEST(Manifest, GlslTakesEveryNameThatIsAccepted) {
+    for (const char* name : {"max_steps", "factor", "h", "vec", "matter", "scale", "mat_5", "flatness"}) {
+        EXPECT_EQ(check_glsl_name(name), "") << name;
+    }
+    for (const char* name : {"", "2d", "_a", "a__b", "Max", "a b", "a-b", "vec3", "mat2x3", "int", "sampler", "uv",
+                             "tap_height", "mix", "reliefbench_x", "sample_count", "gl_x", "flat"}) {
+        EXPECT_NE(check_glsl_name(name), "") << name;
+    }
+}
+
+/// A folder of its own for each test, removed at its end.
+class ManifestFolder : public testing::Test {
+protected:
+    ManifestFolder() {
+        const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::temp_directory_path() / fmt::format("reliefbench_{}_{}", test->name(), ::getpid()) / "marcher";
+        fs::create_directories(folder_ / "sub");
+    }
+    ~ManifestFolder() override { fs::remove_all(folder_.parent_path()); }
+
+    void write(const std::string& name, const std::string& text = "") { write_text_file(folder_ / name, text); }
+    std::string load_message() {
+        try {
+            load_manifest(folder_);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "no error";
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(ManifestFolder, IsCompleteWithItsShaders) {
+    write("technique.json", complete().dump());
+    EXPECT_THAT(load_message(),
+                AllOf(HasSubstr("technique.json"), HasSubstr("'trace.glsl', which is not in the folder")));
+    write("trace.glsl");
+    write("leaves.glsl");
+    write("nodes.glsl");
+    EXPECT_THAT(load_message(), AllOf(HasSubstr("the pass 'search'"), HasSubstr("'sub/search.glsl'")));
+    write("sub/search.glsl");
+    EXPECT_EQ(load_manifest(folder_).id, "marcher");
+    EXPECT_EQ(load_manifest(folder_ / "").id, "marcher");
+}
+
+TEST_F(ManifestFolder, OfPatchesHasBothTessellationStages) {
+    Json json = complete();
+    json["maps"] = Json::array();
+    json["passes"] = Json::array();
+    json["shape"] = parse_json(R"({"patches": {"parameter": "max_steps"}})", "test");
+    write("technique.json", json.dump());
+    EXPECT_THAT(load_message(), HasSubstr("'control.tesc'"));
+    write("control.tesc");
+    EXPECT_THAT(load_message(), HasSubstr("'evaluation.tese'"));
+    write("evaluation.tese");
+    EXPECT_EQ(load_message(), "no error");
+}
+
+TEST_F(ManifestFolder, WithoutAManifestIsAnError) {
+    EXPECT_THAT(load_message(), HasSubstr("technique.json"));
+    write("technique.json", "{\"title\": ");
+    EXPECT_THAT(load_message(), HasSubstr("technique.json:1:"));
+}
+
+TEST(ManifestDocument, ItsExampleIsAValidManifest) {
+    const std::string page = read_text_file(fs::path(RELIEFBENCH_SOURCE_DIR) / "docs" / "manifest_format.md");
+    const std::size_t begin = page.find("```jsonc\n") + 9;
+    const std::string example = page.substr(begin, page.find("```", begin) - begin);
+    const std::string json = std::regex_replace(example, std::regex("//[^\n]*"), "");
+    const Manifest manifest = parse_manifest(parse_json(json, "manifest_format.md"), "example", "manifest_format.md");
+    EXPECT_EQ(manifest.parameters.size(), 5U);
+    EXPECT_EQ(manifest.passes.size(), 2U);
+}
+
+TEST(ShippedTechniques, HaveValidManifests) {
+    std::size_t count = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(RELIEFBENCH_SOURCE_DIR) / "techniques")) {
+        if (!entry.is_directory()) continue;
+        EXPECT_NO_THROW(load_manifest(entry.path())) << entry.path();
+        ++count;
+    }
+    EXPECT_GE(count, 7U);
+}
+
+}  // namespace
+}  // namespace reliefbench
