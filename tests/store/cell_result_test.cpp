@@ -1,0 +1,163 @@
+#include "store/cell_result.hpp"
+
+#include "core/error.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+using namespace reliefbench;
+
+namespace {
+
+CellResult full_result() {
+    CellResult result;
+    result.cell = "pom max_steps=16 | heightmap=bricks view_angle=60";
+    result.technique = "pom";
+    result.axes["heightmap"] = "bricks";
+    result.axes["view_angle"] = 60;
+    result.parameters["max_steps"] = 16;
+    result.parameters["bias"] = 0.1;
+    result.time["draw"] = {1.0 / 3, 0.01, {0.3, 0.4}, 15, 4};
+    result.time["quadtree"] = {2, 0, {2, 2}, 3, 1};
+    result.ns_per_pixel = 12.5;
+    result.prepare_ms = 0.75;
+    result.prepare_bytes = 87381;
+    result.work = {17.5, 18, 70, 16, 16, 0.25, 65536};
+    result.pipeline["fragment_shader_invocations"] = 65536;
+    CellResult::Errors errors;
+    errors.uv_texels = Summary{0.1, 0.2, 0.05, 0.5, 1e-300, 3};
+    errors.depth = Summary{-0.001, 0.002, 0.0005, 0.005, 0.01, 0.03};
+    errors.normal_deg = Summary{1, 2, 3, 4, 5, 6};
+    errors.compared = 65000;
+    errors.missed = 0.0625;
+    errors.false_hits = 0.125;
+    errors.outside_quad_pixels = 12;
+    errors.outside_quad_covered = 0.5;
+    errors.coverage_iou = 0.9;
+    result.error = errors;
+    result.image = CellResult::ImageFields{0.1, 30, 0.9, 0.03};
+    return result;
+}
+
+std::string message_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(CellResultJson, HasEveryFieldWhereTheFormatSays) {
+    EXPECT_EQ(to_json(full_result()), Json::parse(R"({
+        "cell": "pom max_steps=16 | heightmap=bricks view_angle=60",
+        "technique": "pom",
+        "axes": {"heightmap": "bricks", "view_angle": 60},
+        "params": {"max_steps": 16, "bias": 0.1},
+        "status": "ok",
+        "reason": null,
+        "time": {
+            "draw": {"median_ms": 0.3333333333333333, "mad_ms": 0.01, "ci95_ms": [0.3, 0.4], "n": 15, "repeats": 4},
+            "quadtree": {"median_ms": 2.0, "mad_ms": 0.0, "ci95_ms": [2.0, 2.0], "n": 3, "repeats": 1},
+            "ns_per_pixel": 12.5
+        },
+        "prepare": {"ms": 0.75, "bytes": 87381},
+        "work": {"taps_mean": 17.5, "taps_p95": 18.0, "texels_mean": 70.0, "steps_mean": 16.0, "steps_p95": 16.0,
+                 "unconverged": 0.25, "covered_pixels": 65536},
+        "pipeline": {"fragment_shader_invocations": 65536},
+        "error": {
+            "uv_texels": {"mean": 0.1, "rms": 0.2, "p50": 0.05, "p95": 0.5, "p99": 1e-300, "max": 3.0},
+            "depth": {"mean": -0.001, "rms": 0.002, "p50": 0.0005, "p95": 0.005, "p99": 0.01, "max": 0.03},
+            "normal_deg": {"mean": 1.0, "rms": 2.0, "p50": 3.0, "p95": 4.0, "p99": 5.0, "max": 6.0},
+            "compared": 65000, "missed": 0.0625, "false_hits": 0.125,
+            "outside_quad": {"pixels": 12, "covered": 0.5},
+            "coverage_iou": 0.9
+        },
+        "image": {"flip": 0.1, "psnr": 30.0, "ssim": 0.9, "rmse": 0.03}
+    })"));
+}
+
+TEST(CellResultJson, ReadsBackTheSameToTheLastBit) {
+    const std::string written = to_json(full_result()).dump();
+    const CellResult result = parse_cell_result(Json::parse(written), "cells.jsonl");
+    EXPECT_EQ(to_json(result).dump(), written);
+    EXPECT_EQ(result.time.at("draw").median_ms, 1.0 / 3);
+    EXPECT_EQ(result.time.at("draw").n, 15U);
+    EXPECT_EQ(result.time.size(), 2U);
+    EXPECT_EQ(result.error->uv_texels->p99, 1e-300);
+    EXPECT_EQ(result.work->covered_pixels, 65536U);
+    EXPECT_EQ(result.image->psnr, 30);
+    EXPECT_EQ(result.status, CellStatus::ok);
+}
+
+TEST(CellResultJson, WhatIsUndefinedIsNullAndReadsBackEmpty) {
+    CellResult result;
+    result.cell = "tessellation | heightmap=bricks";
+    result.technique = "tessellation";
+    result.status = CellStatus::skipped;
+    result.reason = "the device has no tessellation";
+    const Json json = to_json(result);
+    EXPECT_EQ(json, Json::parse(R"({
+        "cell": "tessellation | heightmap=bricks", "technique": "tessellation", "axes": {}, "params": {},
+        "status": "skipped", "reason": "the device has no tessellation", "time": {"ns_per_pixel": null},
+        "prepare": {"ms": null, "bytes": null}, "work": null, "pipeline": {}, "error": null, "image": null})"));
+    const CellResult read = parse_cell_result(json, "cells.jsonl");
+    EXPECT_EQ(read.status, CellStatus::skipped);
+    EXPECT_EQ(read.reason, result.reason);
+    EXPECT_FALSE(read.work);
+    EXPECT_FALSE(read.error);
+    EXPECT_FALSE(read.image);
+    EXPECT_FALSE(read.prepare_bytes);
+}
+
+TEST(CellResultJson, NothingToCompareIsNullInside) {
+    CellResult result = full_result();
+    result.error->uv_texels.reset();
+    result.error->outside_quad_covered.reset();
+    result.image->psnr.reset();
+    result.image->rmse = 0;
+    const Json json = to_json(result);
+    EXPECT_TRUE(json["error"]["uv_texels"].is_null());
+    EXPECT_TRUE(json["error"]["outside_quad"]["covered"].is_null());
+    EXPECT_TRUE(json["image"]["psnr"].is_null());
+    EXPECT_EQ(json["image"]["rmse"], 0.0);
+    const CellResult read = parse_cell_result(json, "cells.jsonl");
+    EXPECT_FALSE(read.error->uv_texels);
+    EXPECT_TRUE(read.error->depth);
+    EXPECT_EQ(read.image->rmse, 0);
+}
+
+TEST(CellResultJson, NumbersThatAreNotFiniteAreNeverWritten) {
+    CellResult result = full_result();
+    result.ns_per_pixel = std::numeric_limits<double>::infinity();
+    result.image->psnr = std::numeric_limits<double>::quiet_NaN();
+    const std::string text = to_json(result).dump();
+    EXPECT_THAT(text, testing::HasSubstr("\"ns_per_pixel\":null"));
+    EXPECT_THAT(text, testing::HasSubstr("\"psnr\":null"));
+}
+
+TEST(CellResultJson, ReadingIsStrict) {
+    const Json good = to_json(full_result());
+    const auto message = [&](const std::function<void(Json&)>& spoil) {
+        Json bad = good;
+        spoil(bad);
+        return message_of([&] { parse_cell_result(bad, "c"); });
+    };
+    EXPECT_EQ(message([](Json&) {}), "no error");
+    EXPECT_EQ(message([](Json& json) { json["extra"] = 1; }).substr(0, 25), "c: $: unknown key \"extra\"");
+    EXPECT_EQ(message([](Json& json) { json["error"].erase("missed"); }), "c: $.error: key \"missed\" is missing");
+    EXPECT_EQ(message([](Json& json) { json["time"]["draw"]["n"] = -1; }),
+              "c: $.time.draw.n: expected an integer of at least 0, found -1");
+    EXPECT_EQ(message([](Json& json) { json["time"]["draw"]["ci95_ms"] = {1}; }),
+              "c: $.time.draw.ci95_ms: expected [low, high], found [1]");
+    EXPECT_EQ(message([](Json& json) { json["status"] = "fine"; }),
+              "c: $.status: expected one of ok, skipped, failed, found \"fine\"");
+    EXPECT_EQ(message([](Json& json) { json["axes"] = 3; }), "c: $.axes: expected an object, found 3");
+    EXPECT_EQ(message([](Json& json) { json["work"]["taps_mean"] = nullptr; }),
+              "c: $.work.taps_mean: expected a number, found null");
+}
+
+}  // namespace

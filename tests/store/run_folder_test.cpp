@@ -1,0 +1,210 @@
+#include "store/run_folder.hpp"
+
+#include "core/error.hpp"
+#include "core/file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+#include <functional>
+#include <set>
+
+using namespace reliefbench;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+CellResult result_of(const std::string& cell) {
+    CellResult result;
+    result.cell = cell;
+    result.technique = "pom";
+    result.time["draw"] = {0.5, 0.01, {0.4, 0.6}, 15, 1};
+    return result;
+}
+
+std::string message_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+class RunFolder : public testing::Test {
+protected:
+    void SetUp() override {
+        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+        parent = fs::temp_directory_path() / ("reliefbench_" + test + "_" + std::to_string(getpid()));
+        fs::remove_all(parent);
+        fs::create_directories(parent);
+        folder = parent / "results" / "run";
+    }
+    void TearDown() override { fs::remove_all(parent); }
+
+    fs::path parent;
+    fs::path folder;
+    const Json record = {{"configuration", {{"name", "quick"}}}};
+};
+
+/// Files may grow to `bytes` and no further while it lives: what a full disk does, without one.
+class FileSizeLimit {
+public:
+    explicit FileSizeLimit(rlim_t bytes) : previous_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        getrlimit(RLIMIT_FSIZE, &previous_);
+        const rlimit limit{bytes, previous_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FileSizeLimit() {
+        setrlimit(RLIMIT_FSIZE, &previous_);
+        std::signal(SIGXFSZ, previous_handler_);
+    }
+
+private:
+    rlimit previous_{};
+    void (*previous_handler_)(int);
+};
+
+TEST_F(RunFolder, ReadsBackWhatWasWritten) {
+    {
+        RunWriter writer(folder, record);
+        writer.append_cell(result_of("a"));
+        writer.append_cell(result_of("b"));
+    }
+    const reliefbench::Run run = read_run(folder);  // testing::Test has a Run of its own
+    EXPECT_EQ(run.run, record);
+    ASSERT_EQ(run.cells.size(), 2U);
+    EXPECT_EQ(run.cells[0].cell, "a");
+    EXPECT_EQ(to_json(run.cells[1]), to_json(result_of("b")));
+}
+
+TEST_F(RunFolder, LinesAreThereAsSoonAsTheyAreAppended) {
+    RunWriter writer(folder, record);
+    writer.append_cell(result_of("a"));
+    EXPECT_EQ(read_text_file(folder / "cells.jsonl"), to_json(result_of("a")).dump() + "\n");
+    writer.append_samples({"a", "draw", 2, 5, 4, {0.5, 0.25}});
+    EXPECT_EQ(read_text_file(folder / "samples.jsonl"),
+              R"({"cell":"a","pass":"draw","round":2,"order":5,"repeats":4,"ms":[0.5,0.25]})"
+              "\n");
+}
+
+TEST_F(RunFolder, ARunIsNeverOverwritten) {
+    { RunWriter(folder, record).append_cell(result_of("a")); }
+    const std::string message = message_of([&] { RunWriter(folder, Json::object()); });
+    EXPECT_THAT(message, testing::AllOf(testing::HasSubstr(folder.string()), testing::HasSubstr("already holds a run"),
+                                        testing::HasSubstr("choose another folder")));
+    EXPECT_EQ(read_run(folder).run, record);
+    EXPECT_EQ(read_run(folder).cells.size(), 1U);
+}
+
+TEST_F(RunFolder, ResultsWithoutARecordAreNotOverwrittenEither) {
+    fs::create_directories(folder);
+    write_text_file(folder / "cells.jsonl", "precious\n");
+    EXPECT_THAT(message_of([&] { RunWriter(folder, record); }),
+                testing::HasSubstr("already holds a run (cells.jsonl)"));
+    EXPECT_EQ(read_text_file(folder / "cells.jsonl"), "precious\n");
+    EXPECT_FALSE(fs::exists(folder / "run.json"));
+}
+
+TEST_F(RunFolder, AFolderThatCannotBeMadeIsAnError) {
+    write_text_file(parent / "file", "");
+    EXPECT_THAT(message_of([&] { RunWriter(parent / "file" / "run", record); }),
+                testing::AllOf(testing::HasSubstr((parent / "file" / "run").string()),
+                               testing::HasSubstr("Not a directory"), testing::HasSubstr("choose another folder")));
+    EXPECT_THAT(message_of([&] { RunWriter(parent / "file", record); }), testing::HasSubstr("Not a directory"));
+}
+
+TEST_F(RunFolder, AFolderThatCannotBeWrittenIsAnError) {
+    // Not even root may make files in /proc.
+    EXPECT_THAT(message_of([&] { RunWriter("/proc/self/run", record); }),
+                testing::HasSubstr("cannot create the folder"));
+    EXPECT_THAT(message_of([&] { RunWriter("/proc/self", record); }), testing::HasSubstr("cannot create"));
+}
+
+TEST_F(RunFolder, AFullDiskLeavesWholeLinesAndAnError) {
+    RunWriter writer(folder, record);
+    writer.append_cell(result_of("a"));
+    writer.append_cell(result_of("b"));
+    const auto before = fs::file_size(folder / "cells.jsonl");
+    {
+        const FileSizeLimit limit(before + 20);  // the third line starts but does not fit
+        EXPECT_THAT(message_of([&] { writer.append_cell(result_of("c")); }),
+                    testing::AllOf(testing::HasSubstr("cells.jsonl"), testing::HasSubstr("File too large"),
+                                   testing::HasSubstr("make room")));
+    }
+    EXPECT_EQ(fs::file_size(folder / "cells.jsonl"), before);
+    EXPECT_EQ(read_run(folder).cells.size(), 2U);
+    writer.append_cell(result_of("d"));
+    EXPECT_EQ(read_run(folder).cells.size(), 3U);
+}
+
+TEST_F(RunFolder, ARunThatCannotBeginLeavesNothing) {
+    const FileSizeLimit limit(4);  // run.json does not fit
+    EXPECT_THAT(message_of([&] { RunWriter(folder, record); }), testing::HasSubstr("run.json"));
+    EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST_F(RunFolder, ImagesAreNamedAfterTheirCells) {
+    RunWriter writer(folder, record);
+    EXPECT_FALSE(fs::exists(folder / "images"));
+    EXPECT_EQ(writer.image_path("pom max_steps=16 | heightmap=bricks view_angle=60", ".png"),
+              folder / "images" / "pom+max_steps=16@heightmap=bricks+view_angle=60.png");
+    EXPECT_TRUE(fs::is_directory(folder / "images"));
+}
+
+TEST_F(RunFolder, ImagesOfDifferentCellsHaveDifferentNamesThatFilesCanHave) {
+    RunWriter writer(folder, record);
+    const std::string lengthy(400, 'x');
+    std::set<fs::path> paths;
+    const std::vector<std::string> cells = {"a | b=c/d", "a | b=c:d", "a | b=c_d", "a | b=c d",   "a b | c",
+                                            "a+b | c",   "a@b | c",   "a b@c",     lengthy + "1", lengthy + "2"};
+    for (const std::string& cell : cells) {
+        const fs::path path = writer.image_path(cell, ".error.png");
+        std::ofstream(path) << "picture";
+        EXPECT_TRUE(fs::exists(path)) << path;
+        EXPECT_EQ(path.parent_path(), folder / "images");
+        paths.insert(path);
+    }
+    EXPECT_EQ(paths.size(), cells.size());
+}
+
+class ReadRun : public RunFolder {
+protected:
+    std::string message_with_cells(const std::string& text) {
+        fs::create_directories(folder);
+        write_text_file(folder / "run.json", "{}");
+        write_text_file(folder / "cells.jsonl", text);
+        return message_of([&] { read_run(folder); });
+    }
+    const std::string line = to_json(result_of("a")).dump() + "\n";
+};
+
+TEST_F(ReadRun, ALineThatIsCutShortIsAnError) {
+    EXPECT_EQ(message_with_cells(line), "no error");
+    EXPECT_THAT(message_with_cells(line + line.substr(0, 30)),
+                testing::AllOf(testing::HasSubstr("cells.jsonl (line 2)"), testing::HasSubstr("cut short")));
+}
+
+TEST_F(ReadRun, ALineThatIsNoResultIsAnError) {
+    EXPECT_THAT(message_with_cells(line + "{\"cell\": \"b\"}\n"),
+                testing::AllOf(testing::HasSubstr("cells.jsonl (line 2)"), testing::HasSubstr("is missing")));
+    EXPECT_THAT(message_with_cells("\n"), testing::HasSubstr("cells.jsonl (line 1)"));
+}
+
+TEST_F(ReadRun, ACellTwiceIsAnError) {
+    EXPECT_THAT(message_with_cells(line + line),
+                testing::AllOf(testing::HasSubstr("(line 2)"), testing::HasSubstr("'a' stands here for the second")));
+}
+
+TEST_F(ReadRun, AFolderWithoutARunIsAnError) {
+    EXPECT_THAT(message_of([&] { read_run(parent); }), testing::HasSubstr("holds no run"));
+    EXPECT_THAT(message_of([&] { read_run(parent / "missing"); }), testing::HasSubstr("holds no run"));
+}
+
+}  // namespace
