@@ -25,7 +25,8 @@ std::array<double, 3> magma(double x) {
     std::array<double, 3> colour{};
     for (std::size_t channel = 0; channel < colour.size(); ++channel) {
         double value = 0;
-        for (std::size_t power = coefficients.size(); power-- > 0;) value = value * x + coefficients[power][channel];
+        for (std::size_t power = coefficients.size(); power-- > 0;)
+            value = value * x + coefficients[power][channel];
         colour[channel] = std::clamp(value, 0.0, 1.0);
     }
     return colour;

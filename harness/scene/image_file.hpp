@@ -26,7 +26,8 @@ struct RasterFile {
 /// An Error names the file and what is wrong with it: missing, unreadable, of no size.
 RasterFile read_raster_file(const std::filesystem::path& path);
 
-/// By extension: `.png` (8 bits, values clamped to [0, 1]) or `.exr` (32-bit float). `bits` is ignored.
+/// By extension: `.png` (8 bits, values clamped to [0, 1]) or `.exr` (32-bit float; the file keeps channels by name,
+/// not in order). Any channel names. `bits` is ignored. Nothing is left behind on failure.
 void write_raster_file(const std::filesystem::path& path, const RasterFile& raster);
 
 }  // namespace reliefbench

@@ -157,7 +157,8 @@ Pattern cobbles(Resolution size, std::uint64_t seed) {
     };
 }
 
-/// The upper envelope of tilted paraboloids, one per feature point: broken faces that meet in creases.
+/// The upper envelope of tilted caps, one per feature point, flat near it and falling off fast enough that none beyond
+/// the neighbourhood reaches the envelope: broken faces that meet in creases.
 class BrokenFaces {
 public:
     BrokenFaces(int grid, std::uint64_t seed) : points_(grid, 0.9, mix_bits(seed ^ 1)), faces_({grid, grid}) {
@@ -173,7 +174,9 @@ public:
         points_.for_neighbours(scaled, [&](const FeaturePoints::Point& point) {
             const Face& face = faces_.at(point.column, point.row);
             const glm::dvec2 apart = scaled - point.position;
-            envelope = std::max(envelope, face.height + glm::dot(face.tilt, apart) - 0.3 * glm::dot(apart, apart));
+            const double squared = glm::dot(apart, apart);
+            const double fall = squared * (0.15 + 0.08 * squared);
+            envelope = std::max(envelope, face.height + glm::dot(face.tilt, apart) - fall);
         });
         return envelope;
     }
@@ -187,7 +190,8 @@ private:
     Image<Face> faces_;
 };
 
-/// Broken faces of two sizes on a fractal mass, bent by noise, with fractal grain down to the texel.
+/// Broken faces with creases between them, smaller ones turned over for sharp crests, on a fractal mass; bent by noise,
+/// with fractal grain down to the texel.
 Pattern rock(Resolution size, std::uint64_t seed) {
     constexpr double bend = 0.03;
     const BrokenFaces boulders(4, mix_bits(seed ^ 1));
@@ -198,7 +202,7 @@ Pattern rock(Resolution size, std::uint64_t seed) {
     const FractalNoise grain({12, resolved_octaves(12, size, 6), 0.6}, mix_bits(seed ^ 6));
     return [=](glm::dvec2 position) {
         const glm::dvec2 bent = position + bend * glm::dvec2(bend_x(position), bend_y(position));
-        return boulders(bent) + 0.45 * chips(bent) + 0.35 * mass(bent) + 0.10 * grain(position);
+        return boulders(bent) - 0.45 * chips(bent) + 0.35 * mass(bent) + 0.10 * grain(position);
     };
 }
 
