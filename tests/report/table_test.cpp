@@ -1,0 +1,176 @@
+#include "report/table.hpp"
+
+#include "report/text_layout.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+using namespace reliefbench;
+
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+struct Figures {
+    double ms = 1;
+    double uv_p99 = 1;
+    double missed = 0;
+    double false_hits = 0;
+};
+
+CellResult measured(const std::string& id, const Figures& figures) {
+    CellResult cell;
+    cell.cell = id;
+    cell.technique = id.substr(0, id.find(' '));
+    cell.time["draw"] = {figures.ms, 0.012, {0, 0}, 15, 1};
+    cell.ns_per_pixel = 15.25;
+    cell.prepare_ms = 0;
+    cell.work = CellResult::Work{17.5, 18, 17.5, 16, 16, 0, 65536};
+    CellResult::Errors errors;
+    errors.uv_texels = Summary{0.5, 0.6, 0.25, 0.9, figures.uv_p99, 5};
+    errors.depth = Summary{-0.001, 0.002, 0.0005, 0.005, 0.0123, 0.03};
+    errors.missed = figures.missed;
+    errors.false_hits = figures.false_hits;
+    cell.error = errors;
+    return cell;
+}
+
+CellResult unmeasured(const std::string& id, CellStatus status, const std::string& reason) {
+    CellResult cell;
+    cell.cell = id;
+    cell.status = status;
+    cell.reason = reason;
+    return cell;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) {
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+/// Marks and names of the rows, in order: "*pom".
+std::vector<std::string> marked_rows(const std::vector<CellResult>& cells) {
+    std::vector<std::string> rows;
+    for (const std::string& line : lines_of(format_table(cells))) {
+        if (line.find(" ± 0.012") != std::string::npos) rows.push_back(line[0] + line.substr(2, line.find(' ', 2) - 2));
+    }
+    return rows;
+}
+
+TEST(Table, ShowsTheFiguresOfACell) {
+    const auto lines = lines_of(
+        format_table({measured("pom max_steps=16 | heightmap=bricks view_angle=60", {1.2345, 0.75, 0.00125, 0.0005})}));
+    ASSERT_GE(lines.size(), 3U);
+    EXPECT_EQ(lines[0], "heightmap=bricks view_angle=60");
+    EXPECT_EQ(
+        lines[1],
+        "                               ms  ns/pixel  taps  prep ms  uv p50  uv p99  depth p99  missed %  false %");
+    EXPECT_EQ(
+        lines[2],
+        "* pom max_steps=16  1.234 ± 0.012      15.2  17.5        0   0.250   0.750     0.0123     0.125   0.0500");
+}
+
+TEST(Table, RowsAreSortedByTimeAndTheParetoFrontIsMarked) {
+    EXPECT_EQ(marked_rows({measured("slow | v", {9.5, 0.1}), measured("fast | v", {1.5, 4}),
+                           measured("beaten | v", {6.5, 5}), measured("middle | v", {3.5, 1})}),
+              (std::vector<std::string>{"*fast", "*middle", " beaten", "*slow"}));
+}
+
+TEST(Table, EqualsAreMarkedTogetherButNotTheSlowerOfEqualQuality) {
+    EXPECT_EQ(marked_rows({measured("b | v", {1.5, 1}), measured("a | v", {1.5, 1}), measured("c | v", {2.5, 1})}),
+              (std::vector<std::string>{"*a", "*b", " c"}));
+}
+
+TEST(Table, DiscardingHardPixelsWinsNothing) {
+    // The cheater is fastest and best, but misses and invents 0.6 % of the footprint; exactly 0.5 % is allowed.
+    EXPECT_EQ(
+        marked_rows({measured("cheater | v", {1.5, 0.1, 0.004, 0.002}), measured("honest | v", {2.5, 1, 0.005, 0})}),
+        (std::vector<std::string>{"!cheater", "*honest"}));
+}
+
+TEST(Table, EachViewHasItsOwnFront) {
+    const std::string table =
+        format_table({measured("a | view_angle=0", {2.5, 1}), measured("b | view_angle=60", {1.5, 2}),
+                      measured("c | view_angle=0", {1.5, 0.5})});
+    EXPECT_LT(table.find("view_angle=0\n"), table.find("view_angle=60\n"));
+    const auto lines = lines_of(table);
+    EXPECT_THAT(lines[2], testing::StartsWith("* c"));
+    EXPECT_THAT(lines[3], testing::StartsWith("  a"));
+    EXPECT_EQ(lines[4], "");
+    EXPECT_EQ(lines[5], "view_angle=60");
+    EXPECT_THAT(lines[7], testing::StartsWith("* b"));
+}
+
+TEST(Table, TheMarksAreExplained) {
+    const std::string table = format_table({measured("a | v", {})});
+    EXPECT_THAT(table, HasSubstr("\n* nothing in the view is both faster and better"));
+    EXPECT_THAT(table, HasSubstr("! missed + false hits above 0.5 %"));
+}
+
+TEST(Table, WhatIsUndefinedIsADash) {
+    CellResult cell = measured("a | v", {});
+    cell.error->uv_texels.reset();
+    cell.error->depth.reset();
+    cell.work.reset();
+    cell.ns_per_pixel.reset();
+    cell.prepare_ms.reset();
+    const auto lines = lines_of(format_table({cell}));
+    EXPECT_EQ(lines[2], "  a  1.000 ± 0.012         -     -        -       -       -          -         0        0");
+    cell.error.reset();
+    cell.time.clear();
+    EXPECT_EQ(lines_of(format_table({cell}))[2],
+              "  a   -         -     -        -       -       -          -         -        -");
+}
+
+TEST(Table, FailedAndSkippedCellsFollowWithEqualReasonsTogether) {
+    const std::string table = format_table({
+        unmeasured("t a=1 | v", CellStatus::skipped, "max_steps=512 is out of range"),
+        measured("pom | v", {}),
+        unmeasured("broken | v", CellStatus::failed, "trace.glsl:3: error"),
+        unmeasured("t a=2 | v", CellStatus::skipped, "max_steps=512 is out of range"),
+        unmeasured("t a=3 | v", CellStatus::skipped, "max_steps=512 is out of range"),
+        unmeasured("t a=4 | v", CellStatus::skipped, "max_steps=512 is out of range"),
+        unmeasured("t a=5 | v", CellStatus::skipped, "max_steps=512 is out of range"),
+        unmeasured("u | v", CellStatus::skipped, "no tessellation"),
+    });
+    EXPECT_THAT(table, testing::EndsWith("failed, 1 cell: trace.glsl:3: error\n"
+                                         "    broken | v\n"
+                                         "skipped, 5 cells: max_steps=512 is out of range\n"
+                                         "    t a=1 | v\n"
+                                         "    t a=2 | v\n"
+                                         "    t a=3 | v\n"
+                                         "    and 2 more\n"
+                                         "skipped, 1 cell: no tessellation\n"
+                                         "    u | v\n"));
+    EXPECT_LT(table.find("* pom"), table.find("failed, "));
+}
+
+TEST(Table, NothingMeasuredIsNoEmptyTable) {
+    EXPECT_EQ(format_table({}), "");
+    EXPECT_THAT(format_table({unmeasured("a | v", CellStatus::failed, "why")}), Not(HasSubstr("ns/pixel")));
+}
+
+TEST(Table, FitsATerminalOf140ColumnsHoweverLongTheNames) {
+    std::string id = "technique";
+    for (int parameter = 0; parameter < 12; ++parameter) {
+        id += " a_long_parameter_name_" + std::to_string(parameter) + "=0.123456789";
+    }
+    const std::string view = " | heightmap=bricks" + id.substr(9);
+    const std::string table = format_table({measured(id + view, {12345.6789, 123456}), measured("pom" + view, {}),
+                                            unmeasured(id + view, CellStatus::failed, id + id)});
+    for (const std::string& line : lines_of(table)) {
+        EXPECT_LE(text_width(line), 140U) << line;
+    }
+    for (int parameter = 0; parameter < 12; ++parameter) {
+        EXPECT_THAT(table, HasSubstr("a_long_parameter_name_" + std::to_string(parameter) + "=0.123456789"));
+    }
+}
+
+}  // namespace
