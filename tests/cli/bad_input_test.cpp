@@ -1,0 +1,257 @@
+#include "command_line.hpp"
+
+#include "scene/image_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+namespace reliefbench {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class BadInput : public CommandLine {
+protected:
+    std::string tiny(const std::function<void(Json&)>& change = {}) const {
+        Json json = tiny_configuration();
+        if (change) change(json);
+        return write_configuration("tiny.json", json);
+    }
+
+    /// One row of two float texels.
+    std::string write_image(const std::string& name, float left, float right) const {
+        RasterFile raster;
+        raster.size = {2, 1};
+        raster.channel_names = {"Y"};
+        raster.values = {left, right};
+        write_raster_file(path(name), raster);
+        return path(name);
+    }
+};
+
+TEST_F(BadInput, AMissingConfiguration) {
+    expect_refused({"missing.json"}, {"missing.json", "No such file"});
+}
+
+TEST_F(BadInput, AFolderForAConfiguration) {
+    expect_refused({path("")}, {path("")});
+}
+
+TEST_F(BadInput, AConfigurationThatIsNoJson) {
+    expect_refused({write("broken.json", "{ \"name\": ")}, {"broken.json"});
+}
+
+TEST_F(BadInput, AnUnknownKey) {
+    expect_refused({tiny([](Json& json) { json["sampeling"] = 1; })},
+                   {"tiny.json", "sampeling", "did you mean 'sampling'?"});
+}
+
+TEST_F(BadInput, AnUnknownTechnique) {
+    expect_refused({tiny([](Json& json) { json["techniques"] = {"steeep"}; })}, {"steeep", "did you mean 'steep'?"});
+}
+
+TEST_F(BadInput, AnUnknownAxis) {
+    expect_refused({tiny([](Json& json) { json["axes"]["view_angel"] = 3; })},
+                   {"view_angel", "did you mean 'view_angle'?"});
+}
+
+TEST_F(BadInput, AnUnknownAxisOnTheCommandLine) {
+    expect_refused({tiny(), "-a", "view_angel=3"}, {"view_angel", "did you mean 'view_angle'?"});
+}
+
+TEST_F(BadInput, AnUnknownParameter) {
+    expect_refused({tiny([](Json& json) {
+                       json["techniques"] = Json::parse(R"([{"technique": "steep", "parameters": {"colour": 3}}])");
+                   })},
+                   {"colour", "steep"});
+}
+
+TEST_F(BadInput, AParameterOutOfItsRange) {
+    const Json manifest =
+        Json::parse(read_file(std::filesystem::path(RELIEFBENCH_SOURCE_DIR) / "techniques/steep/technique.json"));
+    const std::string name = manifest.at("sample_count").get<std::string>();
+    expect_refused({tiny([&](Json& json) {
+                       Json selection{{"technique", "steep"}};
+                       selection["parameters"][name] = -3;
+                       json["techniques"] = Json::array({selection});
+                   })},
+                   {name, "-3"});
+}
+
+TEST_F(BadInput, ASampleCountThatNoTechniqueTakes) {
+    expect_refused({tiny(), "-a", "sample_count=-7"}, {"sample_count", "-7"});
+}
+
+TEST_F(BadInput, AnAngleOutOfRange) {
+    expect_refused({tiny(), "-a", "view_angle=90"}, {"view_angle", "90"});
+}
+
+TEST_F(BadInput, AResolutionOfZero) {
+    expect_refused({tiny(), "-a", "resolution=0"}, {"resolution", "0"});
+}
+
+TEST_F(BadInput, AnAbsurdResolution) {
+    expect_refused({tiny(), "-a", "resolution=1000000x1000000"}, {"resolution", "1000000"});
+}
+
+TEST_F(BadInput, AnAbsurdHeightMapSize) {
+    expect_refused({tiny(), "-a", "heightmap_size=0"}, {"heightmap_size", "0"});
+}
+
+TEST_F(BadInput, AFilterThatNoCellPasses) {
+    expect_refused({tiny(), "--filter", "view_angle=30"}, {"view_angle=30"});
+}
+
+TEST_F(BadInput, AMissingHeightMap) {
+    expect_refused({tiny(), "-a", "heightmap=" + path("missing.png")}, {"missing.png"});
+}
+
+TEST_F(BadInput, AnUnknownHeightMap) {
+    expect_refused({tiny(), "-a", "heightmap=brick"}, {"brick"});
+}
+
+TEST_F(BadInput, AFileThatIsNoImage) {
+    expect_refused({tiny(), "-a", "heightmap=" + write("text.png", "these are words")}, {"text.png"});
+}
+
+TEST_F(BadInput, AnImageWithoutTheChannel) {
+    const std::string image = write_image("one_channel.exr", 0, 1);
+    expect_refused({tiny([&](Json& json) {
+                       json["axes"]["heightmap"] = {{"file", image}, {"channel", 3}};
+                   })},
+                   {"one_channel.exr", "channel"});
+}
+
+TEST_F(BadInput, HeightsThatAreNoNumbers) {
+    const std::string image = write_image("nan.exr", 0.5F, std::numeric_limits<float>::quiet_NaN());
+    expect_refused({tiny(), "-a", "heightmap=" + image}, {"nan.exr"});
+}
+
+TEST_F(BadInput, InfiniteHeights) {
+    const std::string image = write_image("infinite.exr", 0.5F, std::numeric_limits<float>::infinity());
+    expect_refused({tiny(), "-a", "heightmap=" + image}, {"infinite.exr"});
+}
+
+TEST_F(BadInput, HeightsThatNothingMapsIntoRange) {
+    const std::string image = write_image("metres.exr", 0.5F, 20);
+    expect_refused({tiny(), "-a", "heightmap=" + image}, {"metres.exr", "normalize"});
+}
+
+TEST_F(BadInput, AnUnknownDevice) {
+    expect_refused({tiny(), "--device", "no such thing"}, {"no such thing"});
+    expect_refused({tiny(), "--device", "99"}, {"99"});
+}
+
+TEST_F(BadInput, AMissingTechniqueDirectory) {
+    expect_refused({tiny(), "--techniques", path("missing")}, {path("missing")});
+}
+
+TEST_F(BadInput, ABrokenManifestThatTheConfigurationNames) {
+    std::ofstream(copy_technique("steep", "mine") / "technique.json") << R"({ "titel": "Mine" })";
+    expect_refused({tiny([](Json& json) { json["techniques"] = {"mine"}; }), "--techniques", path("techniques")},
+                   {"mine", "technique.json", "titel"});
+}
+
+TEST_F(BadInput, ABrokenManifestThatNothingNamesIsAWarning) {
+    std::ofstream(copy_technique("steep", "mine") / "technique.json") << "no json";
+    const Outcome outcome = reliefbench({"run", tiny(), "--techniques", path("techniques"), "-o", path("run")});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("warning"), HasSubstr("mine")));
+}
+
+TEST_F(BadInput, ABrokenShaderFailsItsCellsAndNoOthers) {
+    std::ofstream(copy_technique("steep", "mine") / "trace.glsl", std::ios::app) << "\nthis is no GLSL;\n";
+    const std::string configuration = tiny([](Json& json) { json["techniques"] = {"mine", "steep"}; });
+    const Outcome outcome = reliefbench({"run", configuration, "--techniques", path("techniques"), "-o", path("run")});
+    EXPECT_EQ(outcome.code, 4) << outcome.err;
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("mine"), HasSubstr("trace.glsl")));
+    const std::vector<Json> cells = read_lines(path("run/cells.jsonl"));
+    ASSERT_EQ(cells.size(), 2U);
+    for (const Json& cell : cells) {
+        const bool is_broken = cell.at("technique") == "mine";
+        EXPECT_EQ(cell.at("status"), is_broken ? "failed" : "ok");
+        if (is_broken) {
+            const auto reason = cell.at("reason").get<std::string>();
+            EXPECT_THAT(reason, AllOf(HasSubstr("trace.glsl"), HasSubstr("mine")));
+        }
+    }
+}
+
+TEST_F(BadInput, ABrokenShaderCannotBeRendered) {
+    std::ofstream(copy_technique("steep", "mine") / "trace.glsl", std::ios::app) << "\nthis is no GLSL;\n";
+    const Outcome outcome = reliefbench({"render", "--technique", "mine", "--techniques", path("techniques"), "-a",
+                                         "resolution=32", "-o", path("picture.png")});
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("mine"), HasSubstr("trace.glsl")));
+    EXPECT_FALSE(std::filesystem::exists(path("picture.png")));
+}
+
+TEST_F(BadInput, AnOutputFolderThatCannotBeMade) {
+    // A file where a folder is wanted stops even root, whom permissions do not.
+    const std::string file = write("file", "");
+    const Outcome outcome = reliefbench({"run", tiny(), "-o", file + "/run"});
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("reliefbench: "), HasSubstr(file)));
+    EXPECT_TRUE(outcome.out.empty());
+}
+
+TEST_F(BadInput, AnOutputFolderThatHoldsARun) {
+    ASSERT_EQ(reliefbench({"run", tiny(), "-o", path("run")}).code, 0);
+    const std::string cells = read_file(path("run/cells.jsonl"));
+    const Outcome again = reliefbench({"run", tiny(), "-o", path("run")});
+    EXPECT_EQ(again.code, 2) << again.err;
+    EXPECT_THAT(again.err, AllOf(HasSubstr("reliefbench: "), HasSubstr(path("run"))));
+    EXPECT_EQ(read_file(path("run/cells.jsonl")), cells) << "the earlier run was touched";
+}
+
+TEST_F(BadInput, AConstantHeightMapIsAWarning) {
+    const std::string image = write_image("constant.exr", 0.5F, 0.5F);
+    const Outcome outcome = reliefbench({"run", tiny(), "-a", "heightmap=" + image, "-o", path("run")});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("warning"), HasSubstr("constant.exr"), HasSubstr("constant")));
+}
+
+TEST_F(BadInput, UsageErrorsSayWhereToLook) {
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{}, {"rum"}, {"run"}, {"render"}, {"run", tiny(), "--no-such-option"}}) {
+        const Outcome outcome = reliefbench(arguments);
+        EXPECT_EQ(outcome.code, 2) << testing::PrintToString(arguments);
+        EXPECT_THAT(outcome.err, HasSubstr("--help"));
+        EXPECT_TRUE(outcome.out.empty()) << outcome.out;
+    }
+}
+
+struct BadRender {
+    std::vector<std::string> arguments;
+    std::string word;
+};
+
+TEST_F(BadInput, RenderRefusesWhatItCannotDraw) {
+    const std::vector<BadRender> cases = {
+        {{"--technique", "steeep", "-o", "x.png"}, "did you mean 'steep'?"},
+        {{"--technique", "steep", "-o", "x.jpg"}, ".png"},
+        {{"--technique", "steep", "-o", "x"}, ".png"},
+        {{"--technique", "steep", "-a", "view_angle=0,45", "-o", "x.png"}, "view_angle"},
+        {{"--technique", "steep", "-a", "view_angel=0", "-o", "x.png"}, "did you mean 'view_angle'?"},
+        {{"--technique", "steep", "--set", "colour=3", "-o", "x.png"}, "colour"},
+        {{"--technique", "steep", "--set", "colour", "-o", "x.png"}, "parameter=value"},
+        {{"--technique", "steep", "-a", "sample_count=-3", "-o", "x.png"}, "sample_count"},
+        {{"--technique", "steep", "-a", "heightmap=missing.png", "-o", "x.png"}, "missing.png"},
+        {{"--technique", "steep", "-a", "resolution=32", "-o", "missing/x.png"}, "missing/x.png"},
+    };
+    for (const BadRender& bad : cases) {
+        std::vector<std::string> arguments{"render"};
+        arguments.insert(arguments.end(), bad.arguments.begin(), bad.arguments.end());
+        const Outcome outcome = reliefbench(arguments);
+        EXPECT_EQ(outcome.code, 2) << testing::PrintToString(bad.arguments);
+        EXPECT_THAT(outcome.err, AllOf(HasSubstr("reliefbench: "), HasSubstr(bad.word)));
+        EXPECT_FALSE(std::filesystem::exists(path("x.png")));
+    }
+}
+
+}  // namespace
+}  // namespace reliefbench

@@ -1,0 +1,102 @@
+#include "command_line.hpp"
+
+#include "scene/image_file.hpp"
+
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace reliefbench {
+
+namespace {
+
+std::string quoted(const std::string& argument) {
+    std::string text = "'";
+    for (const char c : argument) {
+        text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return text + "'";
+}
+
+}  // namespace
+
+void CommandLine::SetUp() {
+    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(testing::TempDir()) / ("reliefbench_cli_" + std::string(test->name()));
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+}
+
+void CommandLine::TearDown() {
+    std::filesystem::remove_all(folder_);
+}
+
+Outcome CommandLine::reliefbench(const std::vector<std::string>& arguments) const {
+    // The tests' folder is the working folder, so that nothing is left in anybody else's.
+    std::string command = "cd " + quoted(folder_.string()) + " && " + quoted(RELIEFBENCH_BINARY);
+    for (const std::string& argument : arguments) {
+        command += " " + quoted(argument);
+    }
+    command += " >" + quoted(path("stdout")) + " 2>" + quoted(path("stderr")) + " </dev/null";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(path("stdout")), read_file(path("stderr"))};
+}
+
+void CommandLine::expect_refused(std::vector<std::string> arguments, const std::vector<std::string>& words) const {
+    arguments.insert(arguments.begin(), "run");
+    arguments.insert(arguments.end(), {"-o", path("run")});
+    const Outcome outcome = reliefbench(arguments);
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_TRUE(outcome.out.empty()) << outcome.out;
+    EXPECT_THAT(outcome.err, testing::HasSubstr("reliefbench: "));
+    for (const std::string& word : words) {
+        EXPECT_THAT(outcome.err, testing::HasSubstr(word));
+    }
+    EXPECT_FALSE(std::filesystem::exists(path("run"))) << "something was half-written";
+}
+
+std::string CommandLine::write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+    return path(name);
+}
+
+std::string CommandLine::write_configuration(const std::string& name, const Json& json) const {
+    return write(name, json.dump(2));
+}
+
+std::filesystem::path CommandLine::copy_technique(const std::string& shipped, const std::string& id) const {
+    const std::filesystem::path copy = folder_ / "techniques" / id;
+    std::filesystem::create_directories(copy.parent_path());
+    std::filesystem::copy(std::filesystem::path(RELIEFBENCH_SOURCE_DIR) / "techniques" / shipped, copy);
+    return copy;
+}
+
+Json tiny_configuration() {
+    return Json::parse(R"({
+        "name": "tiny",
+        "techniques": ["steep"],
+        "axes": { "heightmap": "bricks", "heightmap_size": 32, "view_angle": 45, "resolution": 32 },
+        "sampling": { "rounds": 1, "samples_per_visit": 1, "warm_up": 0, "minimum_pass_ms": 0 }
+    })");
+}
+
+std::string read_file(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+std::vector<Json> read_lines(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    std::vector<Json> lines;
+    for (std::string line; std::getline(file, line);) {
+        lines.push_back(Json::parse(line));
+    }
+    return lines;
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace reliefbench {
+
+/// What a finished command left behind.
+struct Outcome {
+    int code = -1;
+    std::string out;
+    std::string err;
+};
+
+/// Runs the built binary, with the validation layer off unless the arguments turn it on.
+class CommandLine : public testing::Test {
+protected:
+    void SetUp() override;
+    void TearDown() override;
+
+    Outcome reliefbench(const std::vector<std::string>& arguments) const;
+
+    /// Runs a configuration into `run/`, which must not come to be, and expects exit code 2 and a message that has all
+    /// of `words`.
+    void expect_refused(std::vector<std::string> arguments, const std::vector<std::string>& words) const;
+
+    /// In this test's own folder.
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string write(const std::string& name, const std::string& text) const;
+    std::string write_configuration(const std::string& name, const Json& json) const;
+
+    /// A copy of a shipped technique under another id, in `techniques/` of this test's folder.
+    std::filesystem::path copy_technique(const std::string& shipped, const std::string& id) const;
+
+private:
+    std::filesystem::path folder_;
+};
+
+/// A small matrix with one shipped technique.
+Json tiny_configuration();
+
+std::string read_file(const std::filesystem::path& path);
+/// Each line parsed.
+std::vector<Json> read_lines(const std::filesystem::path& path);
+
+}  // namespace reliefbench

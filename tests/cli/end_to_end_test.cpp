@@ -1,0 +1,240 @@
+#include "command_line.hpp"
+
+#include "scene/image_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <map>
+#include <set>
+
+namespace reliefbench {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class EndToEnd : public CommandLine {
+protected:
+    static std::string shipped(const std::string& configuration) {
+        return (std::filesystem::path(RELIEFBENCH_SOURCE_DIR) / "configs" / configuration).string();
+    }
+};
+
+/// What must repeat exactly: everything of a cell but its times.
+std::map<std::string, Json> without_times(const std::vector<Json>& cells) {
+    std::map<std::string, Json> kept;
+    for (Json cell : cells) {
+        cell.erase("time");
+        if (cell.contains("prepare") && cell["prepare"].is_object()) {
+            cell["prepare"].erase("ms");
+        }
+        kept[cell.at("cell").get<std::string>()] = cell;
+    }
+    return kept;
+}
+
+std::vector<std::string> cell_ids(const std::vector<Json>& cells) {
+    std::vector<std::string> ids;
+    for (const Json& cell : cells) {
+        ids.push_back(cell.at("cell").get<std::string>());
+    }
+    return ids;
+}
+
+TEST_F(EndToEnd, SmokeRunsValidatesAndRepeats) {
+    const Outcome first = reliefbench({"run", shipped("smoke.json"), "--validate", "-o", path("first")});
+    ASSERT_EQ(first.code, 0) << first.err;
+    const std::vector<Json> cells = read_lines(path("first/cells.jsonl"));
+    ASSERT_GE(cells.size(), 8U);
+    std::set<std::string> techniques;
+    for (const Json& cell : cells) {
+        SCOPED_TRACE(cell.at("cell").get<std::string>());
+        EXPECT_EQ(cell.at("status"), "ok");
+        techniques.insert(cell.at("technique").get<std::string>());
+        const Json& draw = cell.at("time").at("draw");
+        EXPECT_GT(draw.at("median_ms").get<double>(), 0);
+        EXPECT_EQ(draw.at("n"), 4);  // two rounds of two samples
+        EXPECT_GT(cell.at("time").at("ns_per_pixel").get<double>(), 0);
+        EXPECT_GE(cell.at("error").at("uv_texels").at("p99").get<double>(), 0);
+        EXPECT_GT(cell.at("error").at("compared").get<int>(), 0);
+        EXPECT_GE(cell.at("image").at("rmse").get<double>(), 0);
+    }
+    EXPECT_EQ(techniques.size(), 7U);
+    for (const std::string& technique : techniques) {
+        EXPECT_THAT(first.out, HasSubstr(technique));
+    }
+    EXPECT_THAT(first.out, AllOf(HasSubstr("in all"), HasSubstr("counted GPU samples"), HasSubstr("truths")));
+
+    std::size_t samples = 0;
+    for (const Json& line : read_lines(path("first/samples.jsonl"))) {
+        samples += line.at("pass") == "draw" ? line.at("ms").size() : 0;
+    }
+    EXPECT_EQ(samples, cells.size() * 4);
+
+    const Json record = Json::parse(read_file(path("first/run.json")));
+    for (const char* key :
+         {"configuration", "environment", "device", "techniques", "height_maps", "filter_deviation", "command_line"}) {
+        EXPECT_TRUE(record.contains(key)) << key;
+    }
+    EXPECT_EQ(record.at("techniques").size(), 7U);
+
+    const Outcome second = reliefbench({"run", path("first/run.json"), "-o", path("second")});
+    ASSERT_EQ(second.code, 0) << second.err;
+    EXPECT_EQ(without_times(read_lines(path("second/cells.jsonl"))), without_times(cells));
+}
+
+TEST_F(EndToEnd, ARunRepeatsWithItsFiltersTechniquesAndHeightMap) {
+    copy_technique("steep", "mine");
+    RasterFile image;
+    image.size = {8, 4};
+    image.channel_names = {"Y"};
+    for (int texel = 0; texel < 32; ++texel) {
+        image.values.push_back(static_cast<float>(texel % 5) / 4.0F);
+    }
+    write_raster_file(path("heights.exr"), image);
+    Json json = tiny_configuration();
+    json["techniques"] = {"mine", "flat"};
+    json["axes"]["heightmap"] = "heights.exr";
+    json["axes"].erase("heightmap_size");
+    const std::string configuration = write_configuration("own.json", json);
+    const Outcome first = reliefbench({"run", configuration, "--techniques", "techniques", "-a", "view_angle=0,60",
+                                       "--filter", "technique=mine", "-o", "first"});
+    ASSERT_EQ(first.code, 0) << first.err;
+    const std::vector<Json> cells = read_lines(path("first/cells.jsonl"));
+    EXPECT_EQ(cells.size(), 2U);
+    for (const std::string& id : cell_ids(cells)) {
+        EXPECT_THAT(id, AllOf(HasSubstr("mine"), HasSubstr("heights.exr"), testing::Not(HasSubstr("/"))));
+    }
+    // From another working folder.
+    const Outcome second = reliefbench({"run", path("first/run.json"), "-o", path("second")});
+    ASSERT_EQ(second.code, 0) << second.err;
+    EXPECT_EQ(without_times(read_lines(path("second/cells.jsonl"))), without_times(cells));
+}
+
+TEST_F(EndToEnd, ADryRunPrintsTheCellsAndTouchesNothing) {
+    const Outcome plan = reliefbench({"run", shipped("smoke.json"), "--dry-run", "--filter", "technique=qdm"});
+    EXPECT_EQ(plan.code, 0) << plan.err;
+    EXPECT_THAT(plan.out, AllOf(HasSubstr("block 1 of 1"), HasSubstr("qdm"), HasSubstr("4 cells")));
+    EXPECT_FALSE(std::filesystem::exists(path("results")));
+}
+
+TEST_F(EndToEnd, TheDefaultOutputFolderCarriesTheName) {
+    const Outcome outcome = reliefbench({"run", write_configuration("tiny.json", tiny_configuration())});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    std::vector<std::string> folders;
+    for (const auto& entry : std::filesystem::directory_iterator(path("results"))) {
+        folders.push_back(entry.path().filename().string());
+    }
+    EXPECT_THAT(folders, ElementsAre(testing::StartsWith("tiny-")));
+}
+
+TEST_F(EndToEnd, ACellOutOfOneTechniquesRangeIsSkippedWithTheReason) {
+    Json json = tiny_configuration();
+    json["techniques"] = {"steep", "relief"};
+    json["axes"]["sample_count"] = {4, 1000000};
+    const Outcome outcome = reliefbench({"run", write_configuration("t.json", json), "--dry-run"});
+    // No technique takes a million samples: an error, not a row of skipped cells.
+    EXPECT_EQ(outcome.code, 2) << outcome.out;
+}
+
+TEST_F(EndToEnd, ImagesAreKeptWhenAskedFor) {
+    Json json = tiny_configuration();
+    json["images"] = true;
+    const Outcome outcome = reliefbench({"run", write_configuration("tiny.json", json), "-o", path("run")});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    std::size_t pictures = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(path("run/images"))) {
+        EXPECT_EQ(read_raster_file(entry.path()).size, (Resolution{32, 32})) << entry.path();
+        ++pictures;
+    }
+    EXPECT_EQ(pictures, 3U) << "picture, truth and error map of one cell";
+}
+
+TEST_F(EndToEnd, RenderPutsThreePicturesSideBySide) {
+    const Outcome outcome = reliefbench({"render", "--technique", "steep", "-a", "resolution=48x32", "-a",
+                                         "heightmap_size=32", "--validate", "-o", path("picture.png")});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const RasterFile picture = read_raster_file(path("picture.png"));
+    EXPECT_EQ(picture.size, (Resolution{3 * 48 + 2 * 2, 32}));
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("UV error"), HasSubstr("taps"), HasSubstr("missed")));
+}
+
+TEST_F(EndToEnd, RenderWritesLayersThatAgreeWithEachOther) {
+    const Outcome outcome = reliefbench({"render", "--technique", "qdm", "-a", "resolution=32", "-a",
+                                         "heightmap_size=32", "-a", "view_angle=60", "-o", path("layers.exr")});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const RasterFile layers = read_raster_file(path("layers.exr"));
+    EXPECT_EQ(layers.size, (Resolution{32, 32}));
+    EXPECT_EQ(layers.bits, 32);
+    EXPECT_THAT(layers.channel_names,
+                testing::UnorderedElementsAre("hit.u", "hit.v", "hit.h", "hit.t", "taps", "truth.u", "truth.v",
+                                              "truth.h", "truth.t", "color.R", "color.G", "color.B", "truth_color.R",
+                                              "truth_color.G", "truth_color.B"));
+    const auto value = [&](std::size_t pixel, const std::string& channel) {
+        const auto position = std::find(layers.channel_names.begin(), layers.channel_names.end(), channel);
+        return layers.values[pixel * layers.channel_names.size() +
+                             static_cast<std::size_t>(position - layers.channel_names.begin())];
+    };
+    std::size_t hits = 0;
+    for (std::size_t pixel = 0; pixel < layers.size.pixels(); ++pixel) {
+        if (value(pixel, "hit.t") == -1) {
+            EXPECT_EQ(value(pixel, "hit.u"), 0);
+            EXPECT_EQ(value(pixel, "hit.h"), 0);
+            continue;
+        }
+        ++hits;
+        EXPECT_GE(value(pixel, "hit.u"), 0);
+        EXPECT_LE(value(pixel, "hit.u"), 1);
+        EXPECT_GT(value(pixel, "taps"), 0);
+        // A pixel's hit and its truth lie on one ray: a wide bound, so that a silhouette may differ.
+        EXPECT_NEAR(value(pixel, "hit.t"), value(pixel, "truth.t"), 0.5);
+    }
+    EXPECT_GT(hits, layers.size.pixels() / 20);
+}
+
+TEST_F(EndToEnd, ListsTellWhatThereIs) {
+    const Outcome techniques = reliefbench({"list", "techniques"});
+    EXPECT_EQ(techniques.code, 0) << techniques.err;
+    for (const char* id : {"flat", "parallax", "steep", "relief", "pom", "qdm", "tessellation"}) {
+        EXPECT_THAT(techniques.out, HasSubstr(id));
+    }
+    const Outcome height_maps = reliefbench({"list", "heightmaps"});
+    EXPECT_EQ(height_maps.code, 0) << height_maps.err;
+    for (const char* name : {"bricks", "cobbles", "rock", "waves", "spikes", "steps"}) {
+        EXPECT_THAT(height_maps.out, HasSubstr(name));
+    }
+    const Outcome devices = reliefbench({"list", "devices"});
+    EXPECT_EQ(devices.code, 0) << devices.err;
+    EXPECT_THAT(devices.out, HasSubstr("0  "));
+}
+
+TEST_F(EndToEnd, VerifyFailsABrokenTechniqueWithCode4) {
+    copy_technique("flat", "mine");
+    const Outcome good = reliefbench({"verify", "--technique", "mine", "--techniques", path("techniques")});
+    EXPECT_EQ(good.code, 0) << good.out << good.err;
+    EXPECT_THAT(good.out, AllOf(HasSubstr("ok"), HasSubstr("mine")));
+    write("techniques/mine/trace.glsl", "this is no GLSL;\n");
+    const Outcome bad = reliefbench({"verify", "--technique", "mine", "--techniques", path("techniques")});
+    EXPECT_EQ(bad.code, 4) << bad.out << bad.err;
+    EXPECT_THAT(bad.out, AllOf(HasSubstr("FAIL"), HasSubstr("trace.glsl")));
+}
+
+TEST_F(EndToEnd, HelpOfEverySubcommandShowsAnExample) {
+    for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{{"list"},
+                                                                                         {"list", "techniques"},
+                                                                                         {"list", "devices"},
+                                                                                         {"list", "heightmaps"},
+                                                                                         {"run"},
+                                                                                         {"render"},
+                                                                                         {"verify"}}) {
+        std::vector<std::string> arguments = command;
+        arguments.push_back("--help");
+        const Outcome outcome = reliefbench(arguments);
+        EXPECT_EQ(outcome.code, 0);
+        EXPECT_THAT(outcome.out, HasSubstr("Example: reliefbench " + command.front()));
+    }
+}
+
+}  // namespace
+}  // namespace reliefbench
