@@ -87,7 +87,8 @@ std::string resolve(const JsonView& view, const std::vector<std::filesystem::pat
     }
     std::vector<std::string> tried;
     for (const std::filesystem::path& folder : folders) {
-        tried.push_back(std::filesystem::absolute(folder).lexically_normal().string());
+        const std::string absolute = std::filesystem::weakly_canonical(folder).string();
+        if (std::ranges::find(tried, absolute) == tried.end()) tried.push_back(absolute);
     }
     if (!procedural_too) view.fail_here(fmt::format("no file '{}' in {}", name, join(tried, " or ")));
     std::vector<std::string> known;

@@ -1,0 +1,68 @@
+#include "sweep/override.hpp"
+
+#include "core/error.hpp"
+
+#include <gmock/gmock.h>
+
+namespace reliefbench {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string message_of(const std::string& argument) {
+    try {
+        parse_override(argument);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Override, ListsValues) {
+    const Override given = parse_override("view_angle=0,60.5,80");
+    EXPECT_EQ(given.name, "view_angle");
+    EXPECT_EQ(given.argument, "-a view_angle=0,60.5,80");
+    EXPECT_THAT(given.values, ElementsAre(Json(0), Json(60.5), Json(80)));
+    EXPECT_THAT(parse_override("adaptive=true,false").values, ElementsAre(Json(true), Json(false)));
+    EXPECT_THAT(parse_override("heightmap=a=b.png").values, ElementsAre(Json("a=b.png")));
+}
+
+TEST(Override, RangesIncludeTheirStopWhenMet) {
+    EXPECT_THAT(parse_override("view_angle=[0:80:20]").values,
+                ElementsAre(Json(0), Json(20), Json(40), Json(60), Json(80)));
+    EXPECT_THAT(parse_override("view_angle=[0:79:40]").values, ElementsAre(Json(0), Json(40)));
+    EXPECT_THAT(parse_override("view_angle=[60:0:-30]").values, ElementsAre(Json(60), Json(30), Json(0)));
+    EXPECT_THAT(parse_override("view_angle=5,[10:20:10]").values, ElementsAre(Json(5), Json(10), Json(20)));
+    EXPECT_TRUE(parse_override("factor=[1:3:1]").values[0].is_number_integer());
+}
+
+TEST(Override, RangesOfFractionsHaveNoRoundingNoise) {
+    // In doubles 0.1 + 2·0.1 is 0.30000000000000004, and (0.3 − 0.1)/0.1 is below 2.
+    EXPECT_THAT(parse_override("height_scale=[0.1:0.3:0.1]").values, ElementsAre(Json(0.1), Json(0.2), Json(0.3)));
+}
+
+TEST(Override, AnObjectIsOneValue) {
+    EXPECT_THAT(parse_override(R"(heightmap={"file": "a.png", "invert": true})").values,
+                ElementsAre(parse_json(R"({"file": "a.png", "invert": true})", "test")));
+}
+
+TEST(Override, ThatCannotBeReadIsAnError) {
+    EXPECT_THAT(message_of("view_angle"),
+                HasSubstr("-a view_angle: expected name=value,value or name=[start:stop:step]"));
+    EXPECT_THAT(message_of("=3"), HasSubstr("expected name=value"));
+    EXPECT_THAT(message_of("view_angle="), HasSubstr("expected name=value"));
+    EXPECT_THAT(message_of("view_angle=0,,60"), HasSubstr("a value is missing between commas"));
+    EXPECT_THAT(message_of("view_angle=[0:80"), HasSubstr("lacks its closing bracket"));
+    EXPECT_THAT(message_of("view_angle=[0:80]"), HasSubstr("does not have three numbers; write [start:stop:step]"));
+    EXPECT_THAT(message_of("view_angle=[]"), HasSubstr("has '' for a number"));
+    EXPECT_THAT(message_of("view_angle=[0:x:20]"), HasSubstr("has 'x' for a number"));
+    EXPECT_THAT(message_of("view_angle=[0:80:0]"), HasSubstr("has a step of zero"));
+    EXPECT_THAT(message_of("view_angle=[0:80:-5]"), HasSubstr("steps away from its stop"));
+    EXPECT_THAT(message_of("view_angle=[0:80:1e-9]"), HasSubstr("has more than 100000 values"));
+    EXPECT_THAT(message_of("view_angle=[0:nan:1]"), HasSubstr("has 'nan' for a number"));
+    EXPECT_THAT(message_of("heightmap={\"file\""), HasSubstr("-a heightmap="));
+}
+
+}  // namespace
+}  // namespace reliefbench

@@ -1,0 +1,191 @@
+#include "core/error.hpp"
+#include "fake_techniques.hpp"
+#include "json_schema.hpp"
+#include "sweep/configuration.hpp"
+#include "sweep/configuration_keys.hpp"
+#include "sweep/height_map_value.hpp"
+#include "sweep/view_axes.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <set>
+
+namespace reliefbench {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::IsEmpty;
+using testing::UnorderedElementsAreArray;
+
+const fs::path configs = fs::path(RELIEFBENCH_SOURCE_DIR) / "configs";
+
+Json schema() {
+    return read_json_file(configs / "schema.json");
+}
+
+std::vector<std::string> property_names(const std::string& pointer) {
+    const Json root = schema();
+    std::vector<std::string> names;
+    for (const auto& [name, property] : root.at(Json::json_pointer(pointer)).at("properties").items()) {
+        names.push_back(name);
+    }
+    return names;
+}
+
+std::vector<Manifest> shipped_techniques() {
+    std::vector<Manifest> manifests;
+    for (const fs::directory_entry& entry : fs::directory_iterator(configs.parent_path() / "techniques")) {
+        if (fs::exists(entry.path() / "technique.json")) manifests.push_back(load_manifest(entry.path()));
+    }
+    return manifests;
+}
+
+std::vector<Cell> expand_shipped(const std::string& name) {
+    const std::vector<Manifest> techniques = shipped_techniques();
+    return expand(read_configuration(configs / name, {}, techniques), techniques);
+}
+
+TEST(Schema, HasTheKeysThatTheParserTakes) {
+    namespace keys = configuration_keys;
+    EXPECT_THAT(property_names(""), UnorderedElementsAreArray(keys::top()));
+    EXPECT_THAT(property_names("/$defs/technique"), UnorderedElementsAreArray(keys::technique()));
+    EXPECT_THAT(property_names("/$defs/truth"), UnorderedElementsAreArray(keys::truth()));
+    EXPECT_THAT(property_names("/$defs/sampling"), UnorderedElementsAreArray(keys::sampling()));
+    EXPECT_THAT(property_names("/$defs/lighting"), UnorderedElementsAreArray(keys::lighting()));
+    EXPECT_THAT(property_names("/$defs/light"), UnorderedElementsAreArray(keys::light()));
+    EXPECT_THAT(property_names("/$defs/fog"), UnorderedElementsAreArray(keys::fog()));
+    EXPECT_THAT(property_names("/$defs/heightmap/oneOf/1"), UnorderedElementsAreArray(height_map_keys()));
+    std::vector<std::string> axes{"sample_count"};
+    for (const ViewAxis& axis : view_axes())
+        axes.push_back(axis.name);
+    EXPECT_THAT(property_names("/$defs/axes"), UnorderedElementsAreArray(axes));
+}
+
+TEST(Schema, StatesTheDefaultsOfTheParser) {
+    const Json root = schema();
+    const auto stated = [&](const std::string& pointer) { return root.at(Json::json_pointer(pointer + "/default")); };
+    const Json text = parse_json(R"({"techniques": ["plain"], "axes": {"heightmap": "rock"}})", "test");
+    const Json expanded = parse_configuration(text, "test", {}, fake_techniques()).expanded;
+    EXPECT_EQ(stated("/properties/seed"), expanded["seed"]);
+    EXPECT_EQ(stated("/properties/images"), expanded["images"]);
+    for (const auto& [key, value] : expanded["truth"].items()) {
+        EXPECT_EQ(stated("/$defs/truth/properties/" + key), value) << key;
+    }
+    for (const auto& [key, value] : expanded["sampling"].items()) {
+        EXPECT_EQ(stated("/$defs/sampling/properties/" + key), value) << key;
+    }
+    EXPECT_EQ(stated("/$defs/lighting/properties/shininess"), expanded["lighting"]["shininess"]);
+    EXPECT_THAT(schema_complaints(root, root, expanded), IsEmpty());
+}
+
+TEST(Schema, AgreesWithTheParserAboutValues) {
+    struct Case {
+        const char* member;
+        const char* value;
+        bool valid;
+    };
+    const Case cases[] = {
+        {"/axes/view_angle", "89.9", true},
+        {"/axes/view_angle", "90", false},
+        {"/axes/view_angle", "[0, -1]", false},
+        {"/axes/view_angle", "[]", false},
+        {"/axes/azimuth", "[-360, 360]", true},
+        {"/axes/azimuth", "361", false},
+        {"/axes/fov", "[1, 170]", true},
+        {"/axes/fov", "0.5", false},
+        {"/axes/distance", "1000", true},
+        {"/axes/distance", "0", false},
+        {"/axes/height_scale", "[0.01, 10]", true},
+        {"/axes/height_scale", "0", false},
+        {"/axes/height_scale", "10.5", false},
+        {"/axes/tiling", "1024", true},
+        {"/axes/tiling", "1025", false},
+        {"/axes/resolution", "[16384, \"1x16384\"]", true},
+        {"/axes/resolution", "16385", false},
+        {"/axes/resolution", "\"16x\"", false},
+        {"/axes/heightmap_size", "\"64x32\"", true},
+        {"/axes/heightmap_size", "0", false},
+        {"/axes/height_format", "[\"r8\", \"r16\", \"r32f\"]", true},
+        {"/axes/height_format", "\"r17\"", false},
+        {"/axes/projection", "[\"parallel\", \"perspective\"]", true},
+        {"/axes/projection", "\"orthographic\"", false},
+        {"/axes/boundary", "[\"clip\", \"repeat\"]", true},
+        {"/axes/boundary", "true", false},
+        {"/axes/sample_count", "[1, 256]", true},
+        {"/axes/sample_count", "0", false},
+        {"/axes/max_steps", "[1, 2]", true},
+        {"/axes/max_steps", "{}", false},
+        {"/axes/heightmap", R"([{"name": "rock", "size": 32, "seed": 0}, "bricks"])", true},
+        {"/axes/heightmap", R"({"name": "rock", "file": "rock.png"})", false},
+        {"/axes/heightmap", R"({"name": "rock", "sead": 0})", false},
+        {"/techniques", "[]", false},
+        {"/techniques", R"([{"technique": "march", "parameters": {"max_steps": [1, 2], "adaptive": true}}])", true},
+        {"/techniques", R"([{"parameters": {}}])", false},
+        {"/zip", "[[\"view_angle\"]]", false},
+        {"/exclude", "[{}]", false},
+        {"/exclude", R"([{"view_angle": [0, 60], "technique": "march"}])", true},
+        {"/seed", "-1", false},
+        {"/truth", R"({"kind": "mesh", "subdivision": 64})", true},
+        {"/truth", R"({"subdivision": 65})", false},
+        {"/sampling", R"({"rule": "fixed", "rounds": 100000, "samples_per_visit": 10000, "warm_up": 0})", true},
+        {"/sampling", R"({"rule": "other"})", false},
+        {"/sampling", R"({"minimum_pass_ms": -1})", false},
+        {"/lighting", R"({"lights": [], "fog": {"start": 0, "range": 0.5}, "ambient": [0, 0, 0]})", true},
+        {"/lighting", R"({"lights": [{}, {}, {}, {}]})", false},
+        {"/lighting", R"({"background": [0, 0]})", false},
+        {"/lighting", R"({"fog": {"range": 0}})", false},
+    };
+    const Json root = schema();
+    for (const Case& given : cases) {
+        Json json = parse_json(R"({"techniques": ["march"], "axes": {"heightmap": "rock"}})", "test");
+        json[Json::json_pointer(given.member)] = parse_json(given.value, "test");
+        EXPECT_EQ(schema_complaints(root, root, json).empty(), given.valid) << given.member << " " << given.value;
+        bool parsed = true;
+        try {
+            parse_configuration(json, "test", {}, fake_techniques());
+        } catch (const Error&) {
+            parsed = false;
+        }
+        EXPECT_EQ(parsed, given.valid) << given.member << " " << given.value;
+    }
+}
+
+TEST(ShippedConfigurations, ConformToTheSchema) {
+    const Json root = schema();
+    for (const char* name : {"smoke.json", "quick.json", "quality_vs_cost.json"}) {
+        EXPECT_THAT(schema_complaints(root, root, read_json_file(configs / name)), IsEmpty()) << name;
+    }
+}
+
+TEST(ShippedConfigurations, SmokeHasEveryTechniqueInAHandfulOfCells) {
+    const std::vector<Cell> cells = expand_shipped("smoke.json");
+    std::set<std::string> techniques;
+    for (const Cell& cell : cells) {
+        techniques.insert(cell.technique);
+        EXPECT_EQ(cell.skip_reason, "");
+        EXPECT_LE(cell.view.view.resolution.pixels(), 64U * 64U);
+    }
+    EXPECT_EQ(techniques.size(), shipped_techniques().size());
+    EXPECT_LE(cells.size(), 20U);
+}
+
+TEST(ShippedConfigurations, QuickHasAtLeastSixtyCellsAndBothProjections) {
+    const std::vector<Cell> cells = expand_shipped("quick.json");
+    EXPECT_GE(cells.size(), 60U);
+    EXPECT_LE(cells.size(), 80U);
+    std::set<Projection> projections;
+    for (const Cell& cell : cells) {
+        projections.insert(cell.view.view.camera.projection);
+        EXPECT_EQ(cell.skip_reason, "");
+    }
+    EXPECT_EQ(projections.size(), 2U);
+}
+
+TEST(ShippedConfigurations, QualityVersusCostSkipsNothing) {
+    for (const Cell& cell : expand_shipped("quality_vs_cost.json"))
+        EXPECT_EQ(cell.skip_reason, "");
+}
+
+}  // namespace
+}  // namespace reliefbench
