@@ -86,12 +86,12 @@ Configuration read_configuration(const std::filesystem::path& path, const std::v
 Configuration parse_configuration(const Json& json, const std::string& file, const std::vector<std::string>& overrides,
                                   const std::vector<Manifest>& techniques);
 
-/// Where several set one parameter, the technique's own values win, then an axis of the parameter's name, then
-/// `sample_count`.
 /// Product of the axes (zipped ones together) × techniques × their parameter values; excluded cells dropped.
 /// Order: views outermost, so that cells of one view are neighbours. Errors: a technique, axis or value unknown to
 /// everyone, a parameter set by name out of its range. A swept `sample_count` or parameter out of one technique's
 /// range makes that cell skipped with the reason. No cell twice; no cell at all is an Error.
+/// Where several set one parameter, the technique's own values win, then an axis of the parameter's name, then
+/// `sample_count`.
 std::vector<Cell> expand(const Configuration& configuration, const std::vector<Manifest>& techniques);
 
 /// "--filter" expressions: "technique=pom,qdm", "view_angle=60", "max_steps>=16"; all must hold.
