@@ -72,7 +72,8 @@ std::string find_unusable_reason(const vk::raii::PhysicalDevice& device,
     if (!find_queue_family(device)) return "it has no queue that draws, computes and has timestamps";
     const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features>();
     const auto& features_13 = features.get<vk::PhysicalDeviceVulkan13Features>();
-    if (!features_13.dynamicRendering || !features_13.synchronization2) return "it lacks features of Vulkan 1.3";
+    if (!features_13.dynamicRendering || !features_13.synchronization2 || !features_13.maintenance4)
+        return "it lacks features of Vulkan 1.3";
     return {};
 }
 
@@ -182,7 +183,8 @@ vk::raii::Device make_device(const DeviceHandles& handles) {
     const float priority = 1;
     const vk::DeviceQueueCreateInfo queue{
         .queueFamilyIndex = handles.queue_family, .queueCount = 1, .pQueuePriorities = &priority};
-    vk::PhysicalDeviceVulkan13Features features_13{.synchronization2 = true, .dynamicRendering = true};
+    vk::PhysicalDeviceVulkan13Features features_13{
+        .synchronization2 = true, .dynamicRendering = true, .maintenance4 = true};
     vk::PhysicalDeviceFeatures2 features{.pNext = &features_13};
     for (const OptionalFeature& feature : optional_features)
         features.features.*feature.member = handles.info.has_feature(feature.name);

@@ -1,6 +1,6 @@
 #include "gpu/pipeline.hpp"
 
-#include <algorithm>
+#include <cassert>
 
 namespace reliefbench::gpu {
 
@@ -44,43 +44,51 @@ struct Specialization {
     Specialization& operator=(const Specialization&) = delete;
 };
 
-/// Everything but the pipeline itself.
-Pipeline make_layout(const DeviceHandles& handles, const std::vector<Binding>& bindings, vk::ShaderStageFlags stages,
-                     std::uint32_t push_constant_bytes) {
-    Pipeline result;
-    std::vector<vk::DescriptorSetLayoutBinding> layout_bindings;
+void make_descriptor_sets(const DeviceHandles& handles, Pipeline& pipeline,
+                          const std::vector<std::vector<Binding>>& sets) {
+    const auto set_count = static_cast<std::uint32_t>(sets.size());
     std::vector<vk::DescriptorPoolSize> sizes;
-    for (const Binding& binding : bindings) {
-        layout_bindings.push_back(
-            {.binding = binding.index, .descriptorType = binding.type, .descriptorCount = 1, .stageFlags = stages});
-        sizes.push_back({.type = binding.type, .descriptorCount = 1});
-    }
-    result.set_layout = vk::raii::DescriptorSetLayout(
-        handles.device,
-        vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(layout_bindings.size()),
-                                          .pBindings = layout_bindings.data()});
-    result.descriptor_pool = vk::raii::DescriptorPool(
+    for (const Binding& binding : sets.front())
+        sizes.push_back({.type = binding.type, .descriptorCount = set_count});
+    pipeline.descriptor_pool = vk::raii::DescriptorPool(
         handles.device, vk::DescriptorPoolCreateInfo{.flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
-                                                     .maxSets = 1,
+                                                     .maxSets = set_count,
                                                      .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
                                                      .pPoolSizes = sizes.data()});
-    vk::raii::DescriptorSets sets(
-        handles.device,
-        vk::DescriptorSetAllocateInfo{
-            .descriptorPool = *result.descriptor_pool, .descriptorSetCount = 1, .pSetLayouts = &*result.set_layout});
-    result.descriptor_set = std::move(sets.front());
+    const std::vector<vk::DescriptorSetLayout> layouts(sets.size(), *pipeline.set_layout);
+    vk::raii::DescriptorSets allocated(handles.device,
+                                       vk::DescriptorSetAllocateInfo{.descriptorPool = *pipeline.descriptor_pool,
+                                                                     .descriptorSetCount = set_count,
+                                                                     .pSetLayouts = layouts.data()});
+    for (vk::raii::DescriptorSet& set : allocated)
+        pipeline.descriptor_sets.push_back(std::move(set));
 
     std::vector<vk::WriteDescriptorSet> writes;
-    for (const Binding& binding : bindings) {
-        writes.push_back({.dstSet = *result.descriptor_set,
-                          .dstBinding = binding.index,
-                          .descriptorCount = 1,
-                          .descriptorType = binding.type,
-                          .pImageInfo = &binding.image,
-                          .pBufferInfo = &binding.buffer});
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        for (const Binding& binding : sets[i])
+            writes.push_back({.dstSet = *pipeline.descriptor_sets[i],
+                              .dstBinding = binding.index,
+                              .descriptorCount = 1,
+                              .descriptorType = binding.type,
+                              .pImageInfo = &binding.image,
+                              .pBufferInfo = &binding.buffer});
     }
     handles.device.updateDescriptorSets(writes, {});
+}
 
+/// Everything but the pipeline itself.
+Pipeline make_layout(const DeviceHandles& handles, const std::vector<std::vector<Binding>>& sets,
+                     vk::ShaderStageFlags stages, std::uint32_t push_constant_bytes) {
+    assert(!sets.empty());
+    Pipeline result;
+    std::vector<vk::DescriptorSetLayoutBinding> bindings;
+    for (const Binding& binding : sets.front())
+        bindings.push_back(
+            {.binding = binding.index, .descriptorType = binding.type, .descriptorCount = 1, .stageFlags = stages});
+    result.set_layout = vk::raii::DescriptorSetLayout(
+        handles.device, vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
+                                                          .pBindings = bindings.data()});
+    make_descriptor_sets(handles, result, sets);
     const vk::PushConstantRange push_constants{.stageFlags = stages, .size = push_constant_bytes};
     result.layout = vk::raii::PipelineLayout(
         handles.device, vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
@@ -123,17 +131,16 @@ Binding storage_image(std::uint32_t index, const vk::raii::ImageView& view) {
             .image = {.imageView = *view, .imageLayout = vk::ImageLayout::eGeneral}};
 }
 
-void Pipeline::bind(const vk::raii::CommandBuffer& commands) const {
+void Pipeline::bind(const vk::raii::CommandBuffer& commands, std::size_t descriptor_set) const {
     commands.bindPipeline(bind_point, *pipeline);
-    commands.bindDescriptorSets(bind_point, *layout, 0, *descriptor_set, {});
+    commands.bindDescriptorSets(bind_point, *layout, 0, *descriptor_sets[descriptor_set], {});
 }
 
 Pipeline make_compute_pipeline(const Device& device, const ComputePipelineOptions& options,
-                               const std::vector<Binding>& bindings) {
+                               const std::vector<std::vector<Binding>>& sets) {
     const DeviceHandles& handles = device.handles();
     return translate_errors("make a compute pipeline", handles.info.name, [&] {
-        Pipeline result =
-            make_layout(handles, bindings, vk::ShaderStageFlagBits::eCompute, options.push_constant_bytes);
+        Pipeline result = make_layout(handles, sets, vk::ShaderStageFlagBits::eCompute, options.push_constant_bytes);
         const Specialization specialization(options.constants);
         const vk::raii::ShaderModule module = make_module(handles, *options.shader.code);
         result.bind_point = vk::PipelineBindPoint::eCompute;
@@ -211,7 +218,7 @@ Pipeline make_graphics_pipeline(const Device& device, const GraphicsPipelineOpti
         vk::ShaderStageFlags used;
         for (const CompiledStage& stage : options.stages)
             used |= vulkan_stage(stage.stage);
-        Pipeline result = make_layout(handles, bindings, used, 0);
+        Pipeline result = make_layout(handles, {bindings}, used, 0);
         const Specialization specialization(options.constants);
         std::vector<vk::raii::ShaderModule> modules;
         std::vector<vk::PipelineShaderStageCreateInfo> stages;

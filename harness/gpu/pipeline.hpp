@@ -33,16 +33,16 @@ Binding sampled_image(std::uint32_t index, const vk::raii::ImageView& view, cons
                       vk::ImageLayout layout);
 Binding storage_image(std::uint32_t index, const vk::raii::ImageView& view);
 
-/// A pipeline with its layout and one descriptor set. The bindings' resources must outlive it.
+/// A pipeline with its layout and its descriptor sets. The bindings' resources must outlive it.
 struct Pipeline {
     vk::raii::DescriptorSetLayout set_layout{nullptr};
     vk::raii::DescriptorPool descriptor_pool{nullptr};
-    vk::raii::DescriptorSet descriptor_set{nullptr};
+    std::vector<vk::raii::DescriptorSet> descriptor_sets;
     vk::raii::PipelineLayout layout{nullptr};
     vk::raii::Pipeline pipeline{nullptr};
     vk::PipelineBindPoint bind_point = vk::PipelineBindPoint::eGraphics;
 
-    void bind(const vk::raii::CommandBuffer& commands) const;
+    void bind(const vk::raii::CommandBuffer& commands, std::size_t descriptor_set = 0) const;
 };
 
 struct ComputePipelineOptions {
@@ -51,8 +51,9 @@ struct ComputePipelineOptions {
     std::uint32_t push_constant_bytes = 0;
 };
 
+/// One descriptor set for each element of `sets`, which must bind the same numbers to the same types.
 Pipeline make_compute_pipeline(const Device& device, const ComputePipelineOptions& options,
-                               const std::vector<Binding>& bindings);
+                               const std::vector<std::vector<Binding>>& sets);
 
 struct GraphicsPipelineOptions {
     std::vector<CompiledStage> stages;

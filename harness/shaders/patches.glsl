@@ -31,15 +31,6 @@ vec2 grid_coordinates() {
                 mix(control_corner[0].y, control_corner[2].y, gl_TessCoord.y));
 }
 
-// The even grid shifted by half a texel, so that vertices as far apart as texels land on texel centres, where the mesh
-// meets the bilinear surface. The outermost vertices stay on the border of the patch.
-vec2 texel_centred(vec2 grid) {
-    vec2 shifted = grid - 0.5 / (scene.tiling * vec2(height_map_size()));
-    if (relief_repeats) return shifted;
-    vec2 inner = clamp(shifted, 0.0, 1.0);
-    return mix(inner, grid, equal(grid, vec2(1.0)));
-}
-
 // Ends the evaluation stage of one vertex.
 void emit_surface(vec2 patch_uv, float h) {
     surface = vec3(patch_uv, h);

@@ -78,11 +78,12 @@ DerivedMaps::Pass DerivedMaps::make_pass(const Technique& technique, const PassD
                                               .constants = parameter_constants(manifest, parameters),
                                               .push_constant_bytes = sizeof(std::int32_t)};
     const bool above_base = declaration.levels == PassDeclaration::Levels::above_base;
-    Pass pass{declaration.name, {}};
-    const std::uint32_t first = above_base ? 1 : 0;
-    const std::uint32_t end = above_base ? target.texture.levels : 1;
-    for (std::uint32_t level = first; level < end; ++level) {
-        std::vector<gpu::Binding> bindings = scene.height_bindings();
+    const std::uint32_t first_level = above_base ? 1 : 0;
+    const std::uint32_t end_level = above_base ? target.texture.levels : 1;
+    std::vector<std::vector<gpu::Binding>> sets;
+    std::vector<vk::Extent2D> sizes;
+    for (std::uint32_t level = first_level; level < end_level; ++level) {
+        std::vector<gpu::Binding>& bindings = sets.emplace_back(scene.height_bindings());
         bindings.push_back(gpu::storage_image(binding::target_map, target.texture.level_views[level]));
         if (above_base)
             bindings.push_back(gpu::sampled_image(binding::previous_map, target.texture.level_views[level - 1],
@@ -91,18 +92,20 @@ DerivedMaps::Pass DerivedMaps::make_pass(const Technique& technique, const PassD
             bindings.push_back(gpu::sampled_image(binding::first_derived_map + static_cast<std::uint32_t>(map),
                                                   maps_[map].texture.view, maps_[map].sampler,
                                                   vk::ImageLayout::eGeneral));
-        pass.dispatches.push_back({gpu::make_compute_pipeline(*device_, options, bindings),
-                                   static_cast<std::int32_t>(level), target.texture.level_extent(level)});
+        sizes.push_back(target.texture.level_extent(level));
     }
+    Pass pass{.name = declaration.name, .pipeline = {}, .first_level = first_level, .level_sizes = sizes};
+    // A map of one texel has no level above its base.
+    if (!sets.empty()) pass.pipeline = gpu::make_compute_pipeline(*device_, options, sets);
     return pass;
 }
 
 void DerivedMaps::record_pass(const vk::raii::CommandBuffer& commands, const Pass& pass) const {
-    for (const Dispatch& dispatch : pass.dispatches) {
-        dispatch.pipeline.bind(commands);
-        commands.pushConstants<std::int32_t>(*dispatch.pipeline.layout, vk::ShaderStageFlagBits::eCompute, 0,
-                                             dispatch.level);
-        commands.dispatch(groups(dispatch.size.width), groups(dispatch.size.height), 1);
+    for (std::size_t i = 0; i < pass.level_sizes.size(); ++i) {
+        const auto level = static_cast<std::int32_t>(pass.first_level + i);
+        pass.pipeline.bind(commands, i);
+        commands.pushConstants<std::int32_t>(*pass.pipeline.layout, vk::ShaderStageFlagBits::eCompute, 0, level);
+        commands.dispatch(groups(pass.level_sizes[i].width), groups(pass.level_sizes[i].height), 1);
         gpu::full_barrier(commands);
     }
 }

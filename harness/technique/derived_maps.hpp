@@ -22,22 +22,17 @@ public:
 
     std::vector<gpu::Binding> draw_bindings() const;
 
-    /// For tests: one level as stored.
-    const gpu::Texture& texture(std::size_t map) const { return maps_[map].texture; }
-
 private:
     struct Map {
         gpu::Texture texture;
         vk::raii::Sampler sampler;
     };
-    struct Dispatch {
-        gpu::Pipeline pipeline;
-        std::int32_t level;
-        vk::Extent2D size;
-    };
     struct Pass {
         std::string name;
-        std::vector<Dispatch> dispatches;
+        /// One descriptor set for each level written.
+        gpu::Pipeline pipeline;
+        std::uint32_t first_level;
+        std::vector<vk::Extent2D> level_sizes;
     };
 
     void record_pass(const vk::raii::CommandBuffer& commands, const Pass& pass) const;

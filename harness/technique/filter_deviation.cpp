@@ -69,7 +69,7 @@ double measure_filter_deviation(const gpu::Device& device, HeightFormat format) 
     std::vector<gpu::Binding> bindings = scene.textures().height_bindings();
     bindings.push_back(gpu::storage_buffer(binding::work, buffer.buffer));
     const gpu::Pipeline pipeline =
-        gpu::make_compute_pipeline(device, {.shader = {gpu::ShaderStage::compute, code}, .constants = {}}, bindings);
+        gpu::make_compute_pipeline(device, {.shader = {gpu::ShaderStage::compute, code}, .constants = {}}, {bindings});
     gpu::submit_and_wait(device, "measure the filter", [&](const vk::raii::CommandBuffer& commands) {
         pipeline.bind(commands);
         commands.dispatch(static_cast<std::uint32_t>(tap_count) / workgroup_size, 1, 1);

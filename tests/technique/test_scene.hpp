@@ -2,6 +2,7 @@
 
 #include "core/file.hpp"
 #include "gpu/device.hpp"
+#include "gpu/shader_cache.hpp"
 #include "scene/albedo.hpp"
 #include "scene/height_map.hpp"
 #include "technique/renderer.hpp"
@@ -44,6 +45,9 @@ private:
     std::size_t messages_before_ = 0;
 };
 
+inline const char* const shortest_manifest =
+    R"({"title": "Test", "kind": "march", "citation": "none", "promises": [], "shape": "quad", "parameters": []})";
+
 /// A technique folder that lives as long as the object.
 class TemporaryTechnique {
 public:
@@ -59,10 +63,7 @@ public:
         std::filesystem::create_directories(folder_);
         for (const auto& [file, text] : files)
             write_text_file(folder_ / file, text);
-        if (!files.contains("technique.json"))
-            write_text_file(folder_ / "technique.json", R"({
-                "title": "Test", "kind": "march", "citation": "none", "parameters": [], "shape": "quad",
-                "promises": [] })");
+        if (!files.contains("technique.json")) write_text_file(folder_ / "technique.json", shortest_manifest);
     }
     ~TemporaryTechnique() { std::filesystem::remove_all(root_); }
     TemporaryTechnique(const TemporaryTechnique&) = delete;
@@ -114,6 +115,28 @@ inline Lighting lights_off() {
     Lighting lighting;
     lighting.enabled = false;
     return lighting;
+}
+
+/// A renderer that has been prepared.
+inline Renderer make_renderer(const gpu::Device& device, const Technique& technique, const SceneOnDevice& scene,
+                              const View& view, const Lighting& lighting = Lighting{},
+                              ParameterValues parameters = {}) {
+    for (const auto& [name, value] : technique.manifest.defaults())
+        parameters.emplace(name, value);
+    Renderer renderer(device, technique, parameters, scene, view, lighting);
+    renderer.prepare();
+    return renderer;
+}
+
+inline int shader_compilations(const gpu::Device& device) {
+    return device.shader_cache().compilations();
+}
+
+/// A manifest that differs from the shortest in `parameters` and `more` (", \"maps\": ..." and so on).
+inline std::string manifest_json(const std::string& parameters, const std::string& more = "",
+                                 const std::string& shape = "\"quad\"") {
+    return R"({"title": "Test", "kind": "march", "citation": "none", "promises": [], "shape": )" + shape +
+           R"(, "parameters": [)" + parameters + "]" + more + "}";
 }
 
 /// The polygon: what `flat` answers.

@@ -7,13 +7,13 @@ namespace {
 
 using namespace test;
 
-using Draw = DeviceTest;
+using CameraOnDevice = DeviceTest;
 using Files = TemporaryTechnique::Files;
 
 // float32 in the shader against double: the entry of a ray at 80° is known to about 1e-6 of the patch.
 constexpr double entry_tolerance = 1e-5;
 
-TEST_F(Draw, CamerasAgree) {
+TEST_F(CameraOnDevice, AgreesWithTheScenes) {
     const TemporaryTechnique folder(Files{{"trace.glsl", flat_trace}});
     const Technique technique = folder.load();
     const HeightMap map = make_map({4, 4}, [](int, int) { return 1.0; });

@@ -1,0 +1,153 @@
+#include "core/error.hpp"
+#include "test_scene.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+namespace reliefbench {
+namespace {
+
+using namespace test;
+using Files = TemporaryTechnique::Files;
+using testing::HasSubstr;
+
+template <typename Action>
+std::string error_of(Action&& action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(TechniqueLibrary, FolderIsTheTechnique) {
+    const TemporaryTechnique folder(Files{{"trace.glsl", flat_trace}});
+    const Technique technique = folder.load();
+    EXPECT_EQ(technique.manifest.id, folder.folder().filename());
+    EXPECT_EQ(technique.folder, folder.folder());
+}
+
+TEST(TechniqueLibrary, BrokenManifestSpoilsOnlyItsTechnique) {
+    const TemporaryTechnique good(Files{{"trace.glsl", flat_trace}});
+    const TemporaryTechnique bad(Files{{"trace.glsl", flat_trace}, {"technique.json", "{"}});
+    const TechniqueLibrary library = find_techniques({good.folder().parent_path()});
+    ASSERT_EQ(library.techniques.size(), 1u);
+    ASSERT_EQ(library.broken.size(), 1u);
+    const std::string bad_id = bad.folder().filename().string();
+    EXPECT_THAT(error_of([&] { library.get(bad_id); }), HasSubstr("technique.json"));
+}
+
+TEST(TechniqueLibrary, UnknownNameIsSuggested) {
+    const TemporaryTechnique folder(Files{{"trace.glsl", flat_trace}});
+    const TechniqueLibrary library = find_techniques({folder.folder().parent_path()});
+    const std::string id = folder.folder().filename().string();
+    EXPECT_THAT(error_of([&] { library.get(id + "x"); }), HasSubstr("did you mean '" + id + "'"));
+}
+
+TEST(TechniqueLibrary, SameIdInTwoRootsIsAnError) {
+    const TemporaryTechnique folder(Files{{"trace.glsl", flat_trace}});
+    const auto root = folder.folder().parent_path();
+    EXPECT_THAT(error_of([&] { find_techniques({root, root}); }), HasSubstr("rename one folder"));
+}
+
+TEST(TechniqueLibrary, MissingRootIsAnError) {
+    EXPECT_THAT(error_of([] { find_techniques({"/nowhere/at/all"}); }), HasSubstr("/nowhere/at/all"));
+}
+
+TEST(TechniqueLibrary, HashFollowsShadersButNotDocuments) {
+    const TemporaryTechnique folder(Files{{"trace.glsl", flat_trace}, {"helper.glsl", "// one"}, {"README.md", "a"}});
+    const std::string hash = folder.load().hash;
+    write_text_file(folder.folder() / "README.md", "b");
+    EXPECT_EQ(folder.load().hash, hash);
+    write_text_file(folder.folder() / "helper.glsl", "// two");
+    EXPECT_NE(folder.load().hash, hash);
+}
+
+TEST(TechniqueLibrary, DataFolderComesFromTheEnvironment) {
+    ASSERT_EQ(setenv("RELIEFBENCH_DATA_DIR", "/elsewhere", 1), 0);
+    EXPECT_EQ(default_technique_root(), "/elsewhere/techniques");
+    EXPECT_EQ(shader_root(), "/elsewhere/harness/shaders");
+    ASSERT_EQ(unsetenv("RELIEFBENCH_DATA_DIR"), 0);
+    EXPECT_TRUE(std::filesystem::exists(shader_root() / "relief.glsl"));
+}
+
+class Compilation : public DeviceTest {
+protected:
+    static std::string compile_error(const Files& files) {
+        const TemporaryTechnique folder(files);
+        const HeightMap map = make_map({2, 2}, [](int, int) { return 1.0; });
+        const SceneOnDevice scene(device(), map, grey_albedo());
+        return error_of([&] { make_renderer(device(), folder.load(), scene, make_view(0, Projection::parallel)); });
+    }
+};
+
+TEST_F(Compilation, ErrorNamesTechniqueFileAndLine) {
+    const std::string message =
+        compile_error({{"trace.glsl", "#include \"helper.glsl\"\nTrace trace(ReliefRay ray) { return help(ray); }\n"},
+                       {"helper.glsl", "Trace help(ReliefRay ray) {\n\n    return nonsense;\n}\n"}});
+    EXPECT_THAT(message, HasSubstr("technique 'technique_"));
+    EXPECT_THAT(message, HasSubstr("helper.glsl:3:"));
+    EXPECT_THAT(message, HasSubstr("nonsense"));
+}
+
+TEST_F(Compilation, IncludeCannotLeaveTheFolder) {
+    const std::string message = compile_error({{"trace.glsl", "\n#include \"../other/trace.glsl\"\n"}});
+    EXPECT_THAT(message, HasSubstr("trace.glsl:2:"));
+    EXPECT_THAT(message, HasSubstr("leaves the folders"));
+}
+
+TEST_F(Compilation, HarnessFilesCannotBeReplaced) {
+    EXPECT_THAT(compile_error({{"trace.glsl", flat_trace}, {"shading.glsl", ""}}), HasSubstr("rename one"));
+}
+
+TEST_F(Compilation, SweepOverParametersCompilesOnce) {
+    const TemporaryTechnique folder(
+        Files{{"technique.json",
+               manifest_json(R"({"name": "depth", "type": "real", "default": 0.5, "range": [0, 1], "help": "h"})")},
+              {"trace.glsl", "Trace trace(ReliefRay ray) { return hit_off_ray(ray.uv, depth, 0); }\n"}});
+    const Technique technique = folder.load();
+    const HeightMap map = make_map({2, 2}, [](int, int) { return 1.0; });
+    const SceneOnDevice scene(device(), map, grey_albedo());
+    const View view = make_view(0, Projection::parallel, {2, 2});
+    const auto drawn_depth = [&](double depth) {
+        return make_renderer(device(), technique, scene, view, {}, {{"depth", depth}}).probe().hits.at(0, 0).h;
+    };
+    EXPECT_EQ(drawn_depth(0.25), 0.25f);
+    const int compilations = shader_compilations(device());
+    EXPECT_EQ(drawn_depth(0.75), 0.75f);
+    EXPECT_EQ(shader_compilations(device()), compilations);
+}
+
+TEST_F(Compilation, ParametersArriveByNameAndType) {
+    const TemporaryTechnique folder(Files{{"technique.json", manifest_json(R"(
+                   {"name": "count", "type": "integer", "default": 1, "range": [-5, 5], "help": "h"},
+                   {"name": "factor", "type": "real", "default": 0.5, "range": [0, 1], "help": "h"},
+                   {"name": "wanted", "type": "boolean", "default": false, "help": "h"},
+                   {"name": "leaf", "type": "choice", "choices": ["linear", "exact"], "default": "linear",
+                    "help": "h"})")},
+                                          {"trace.glsl", R"(Trace trace(ReliefRay ray) {
+                   bool right = count == -3 && factor == 0.125 && wanted && leaf == leaf_exact && leaf_linear == 0;
+                   return right ? hit_on_ray(0.0, 0) : miss(0);
+               })"}});
+    const Technique technique = folder.load();
+    const HeightMap map = make_map({2, 2}, [](int, int) { return 1.0; });
+    const SceneOnDevice scene(device(), map, grey_albedo());
+    const View view = make_view(0, Projection::parallel, {2, 2});
+    const ParameterValues values{
+        {"count", std::int64_t{-3}}, {"factor", 0.125}, {"wanted", true}, {"leaf", std::string("exact")}};
+    EXPECT_TRUE(make_renderer(device(), technique, scene, view, {}, values).probe().hits.at(1, 1).is_hit());
+    EXPECT_FALSE(make_renderer(device(), technique, scene, view).probe().hits.at(1, 1).is_hit());
+}
+
+TEST_F(Compilation, DeviceLimitsGiveAReason) {
+    const TemporaryTechnique folder(Files{{"trace.glsl", flat_trace}});
+    const Technique technique = folder.load();
+    EXPECT_EQ(unsupported_reason(device(), technique, make_view(0, Projection::parallel), {256, 256}), "");
+    const View huge = make_view(0, Projection::parallel, {1 << 20, 16});
+    EXPECT_THAT(unsupported_reason(device(), technique, huge, {256, 256}), HasSubstr("on a side"));
+}
+
+}  // namespace
+}  // namespace reliefbench

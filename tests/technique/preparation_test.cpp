@@ -1,0 +1,138 @@
+#include "test_scene.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace reliefbench {
+namespace {
+
+using namespace test;
+using Files = TemporaryTechnique::Files;
+
+using PreparationOnDevice = DeviceTest;
+
+const char* const maximum_chain_passes = R"(, "passes": [
+    {"name": "leaves", "shader": "leaves.glsl", "writes": "chain"},
+    {"name": "levels", "shader": "levels.glsl", "writes": "chain", "levels": "above_base"}])";
+
+/// Reports the map's texel at level `lod` for pixels (i, j) inside it, through a trace that maps pixels to texels.
+TemporaryTechnique::Files maximum_chain(const std::string& map_size) {
+    const std::string maps = R"(, "maps": [{"name": "chain", "format": "r32f", "size": ")" + map_size +
+                             R"(", "mip_chain": true, "linear_filter": false}])";
+    const std::string parameters = R"({"name": "lod", "type": "integer", "default": 0, "range": [0, 16], "help": "h"})";
+    return {{"technique.json", manifest_json(parameters, maps + maximum_chain_passes)},
+            {"leaves.glsl", R"(
+                void prepare(ivec2 texel) {
+                    bool inside = all(lessThan(texel, height_map_size()));
+                    write_map(vec4(inside ? tap_height_texel(texel) : 0.0));
+                })"},
+            // A level's last texel takes what is left over: a size of 2n + 1 leaves n texels above it.
+            {"levels.glsl", R"(
+                void prepare(ivec2 texel) {
+                    float highest = 0.0;
+                    for (int y = 0; y < 3; ++y)
+                        for (int x = 0; x < 3; ++x) {
+                            ivec2 child = 2 * texel + ivec2(x, y);
+                            bool mine = (x < 2 || texel.x == map_size().x - 1) && (y < 2 || texel.y == map_size().y - 1);
+                            if (mine) highest = max(highest, previous_level(child).r);
+                        }
+                    write_map(vec4(highest));
+                })"},
+            {"trace.glsl", R"(
+                Trace trace(ReliefRay ray) {
+                    ivec2 texel = ivec2(floor(ray.uv * 32.0));
+                    if (any(greaterThanEqual(texel, textureSize(chain, lod)))) return miss(0);
+                    return hit_off_ray(ray.uv, tap_map_texel(chain, texel, lod).r, 0);
+                })"}};
+}
+
+/// Texels of the base that a texel of `level` stands for, along one axis: floor-halved sizes, the last takes the rest.
+std::pair<int, int> span_of(int texel, int level, int size) {
+    const int last = std::max(size >> level, 1) - 1;
+    const int begin = texel << level;
+    return {begin, texel == last ? size : std::min(begin + (1 << level), size)};
+}
+
+void expect_maximum_chain(const gpu::Device& device, const std::string& map_size, const HeightMap& map,
+                          Resolution base) {
+    const TemporaryTechnique folder(maximum_chain(map_size));
+    const Technique technique = folder.load();
+    const SceneOnDevice scene(device, map, grey_albedo());
+    const View view = make_view(0, Projection::parallel, {32, 32});
+    const int levels = std::bit_width(static_cast<unsigned>(std::max(base.width, base.height)));
+    for (int level = 0; level < levels; ++level) {
+        const Probe probe = make_renderer(device, technique, scene, view, {}, {{"lod", std::int64_t{level}}}).probe();
+        for (int y = 0; y < std::max(base.height >> level, 1); ++y) {
+            for (int x = 0; x < std::max(base.width >> level, 1); ++x) {
+                float expected = 0;
+                const auto [x_begin, x_end] = span_of(x, level, base.width);
+                const auto [y_begin, y_end] = span_of(y, level, base.height);
+                for (int j = y_begin; j < std::min(y_end, map.height()); ++j) {
+                    for (int i = x_begin; i < std::min(x_end, map.width()); ++i)
+                        expected = std::max(expected, map.texel(i, j));
+                }
+                ASSERT_EQ(probe.hits.at(x, 31 - y).h, expected) << map_size << ' ' << level << ' ' << x << ' ' << y;
+            }
+        }
+    }
+}
+
+TEST_F(PreparationOnDevice, FillsEveryLevelAtOddSizes) {
+    const HeightMap map = make_map(
+        {23, 11}, [](int x, int y) { return ((x * 37 + y * 101) % 97) / 96.0; }, HeightFormat::r32f);
+    expect_maximum_chain(device(), "height_map", map, {23, 11});
+    expect_maximum_chain(device(), "next_power_of_two", map, {32, 16});
+}
+
+TEST_F(PreparationOnDevice, IsTimedByPassAndSized) {
+    const TemporaryTechnique folder(maximum_chain("height_map"));
+    const Technique technique = folder.load();
+    const SceneOnDevice scene(device(), make_map({16, 8}, [](int, int) { return 0.5; }), grey_albedo());
+    Renderer renderer(device(), technique, technique.manifest.defaults(), scene, make_view(0, Projection::parallel),
+                      Lighting{});
+    const Preparation preparation = renderer.prepare(3);
+    ASSERT_EQ(preparation.pass_ms.size(), 2u);
+    for (const auto& [pass, milliseconds] : preparation.pass_ms) {
+        ASSERT_EQ(milliseconds.size(), 3u) << pass;
+        for (const double value : milliseconds)
+            EXPECT_GT(value, 0) << pass;
+    }
+    constexpr std::uint64_t texels = 16 * 8 + 8 * 4 + 4 * 2 + 2 * 1 + 1;
+    EXPECT_GE(preparation.bytes, texels * sizeof(float));
+}
+
+TEST_F(PreparationOnDevice, PassReadsEarlierMapsThroughTheirFilter) {
+    const TemporaryTechnique folder(
+        Files{{"technique.json", manifest_json("", R"(,
+                   "maps": [{"name": "base", "format": "rg32f", "linear_filter": true},
+                            {"name": "twice", "format": "r16"}],
+                   "passes": [{"name": "first", "shader": "first.glsl", "writes": "base"},
+                              {"name": "second", "shader": "second.glsl", "writes": "twice"}])")},
+              {"first.glsl", "void prepare(ivec2 texel) { write_map(vec4(texel, 0, 0)); }"},
+              {"second.glsl", R"(void prepare(ivec2 texel) {
+                   // Between texel centres 1 and 2 along x, at 2 along y: (1.5, 2).
+                   vec2 between = tap_map(base, vec2(2.0, 2.5) / vec2(map_size()), 0.0).rg;
+                   write_map(vec4(between.x / 2.0 == 0.75 && between.y == 2.0 ? 1.0 : 0.0));
+               })"},
+              {"trace.glsl",
+               "Trace trace(ReliefRay ray) { return hit_off_ray(ray.uv, tap_map(twice, ray.uv, 0.0).r, 0); }"}});
+    const SceneOnDevice scene(device(), make_map({8, 8}, [](int, int) { return 0.5; }), grey_albedo());
+    const View view = make_view(0, Projection::parallel, {8, 8});
+    const Probe probe = make_renderer(device(), folder.load(), scene, view).probe();
+    EXPECT_EQ(probe.hits.at(3, 3).h, 1.0f);
+}
+
+// lavapipe interpolates r16 and r32f in float, and rounds what it filters from r8 to 8 bits.
+TEST_F(PreparationOnDevice, FilterDeviationIsSmall) {
+    const bool cpu = device().info().type == gpu::DeviceType::cpu;
+    // GPUs weigh texels in steps of 1/256, along both axes.
+    const double weights = cpu ? 1e-5 : 2.0 / 256;
+    EXPECT_LT(measure_filter_deviation(device(), HeightFormat::r32f), weights);
+    EXPECT_LT(measure_filter_deviation(device(), HeightFormat::r16), weights);
+    const double r8 = measure_filter_deviation(device(), HeightFormat::r8);
+    EXPECT_LT(r8, 2.0 / 255 + weights);
+    EXPECT_GT(r8, 0);
+}
+
+}  // namespace
+}  // namespace reliefbench
