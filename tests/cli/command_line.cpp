@@ -1,7 +1,6 @@
 #include "command_line.hpp"
 
-#include "scene/image_file.hpp"
-
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 
@@ -36,11 +35,11 @@ void CommandLine::TearDown() {
 
 Outcome CommandLine::reliefbench(const std::vector<std::string>& arguments) const {
     // The tests' folder is the working folder, so that nothing is left in anybody else's.
-    std::string command = "cd " + quoted(folder_.string()) + " && " + quoted(RELIEFBENCH_BINARY);
+    std::string command = fmt::format("cd {} && {}", quoted(folder_.string()), quoted(RELIEFBENCH_BINARY));
     for (const std::string& argument : arguments) {
-        command += " " + quoted(argument);
+        command += fmt::format(" {}", quoted(argument));
     }
-    command += " >" + quoted(path("stdout")) + " 2>" + quoted(path("stderr")) + " </dev/null";
+    command += fmt::format(" >{} 2>{} </dev/null", quoted(path("stdout")), quoted(path("stderr")));
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(path("stdout")), read_file(path("stderr"))};
 }
