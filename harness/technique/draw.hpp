@@ -46,6 +46,7 @@ private:
     const gpu::Device* device_;
     vk::Extent2D extent_;
     std::uint32_t vertices_;
+    std::uint32_t vertices_per_draw_;
     std::vector<gpu::Texture> colours_;
     std::vector<vk::ClearColorValue> clears_;
     gpu::Texture depth_;
