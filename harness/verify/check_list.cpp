@@ -13,6 +13,15 @@ double CheckList::filter_deviation() {
     return filter_deviation_;
 }
 
+const Comparison& CheckList::comparison(const ParameterValues& parameters, const Circumstance& circumstance) {
+    const std::string key = describe(parameters, manifest()) + "; " + describe(circumstance);
+    const auto known = comparisons_.find(key);
+    if (known != comparisons_.end()) return known->second;
+    const CoordinateScene& scene = scenes_.get(circumstance.map, circumstance.map_size);
+    return comparisons_.emplace(key, compare_with_truth(*device_, *technique_, parameters, scene, circumstance.view))
+        .first->second;
+}
+
 bool CheckList::check(const std::string& name, const std::string& circumstances, const std::function<Finding()>& body) {
     Check check{manifest().id, name, circumstances, false, {}};
     try {

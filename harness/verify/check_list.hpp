@@ -4,6 +4,7 @@
 #include "verify/conformance.hpp"
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ public:
     SceneCollection& scenes() { return scenes_; }
     /// δ of r16, measured when first asked for.
     double filter_deviation();
+    /// compare_with_truth, drawn and traced when first asked for: promises look at the same pictures.
+    const Comparison& comparison(const ParameterValues& parameters, const Circumstance& circumstance);
 
     /// Runs `body` and records what it found; an Error (a shader that does not compile, a lost device) is a failure
     /// with its message. Returns whether it passed.
@@ -39,6 +42,7 @@ private:
     std::function<void(const Check&)> on_check_;
     SceneCollection scenes_;
     double filter_deviation_ = -1;
+    std::map<std::string, Comparison> comparisons_;
     std::vector<Check> checks_;
 };
 

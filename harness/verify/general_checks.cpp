@@ -90,7 +90,7 @@ double depth_of(const glm::dmat4& clip_from_world, const Hit& hit, const Relief&
 
 /// Coordinates finite and in range; t the distance of S(u, v) along the ray; the depth written that of S(u, v).
 Finding check_hits(const TimedPicture& timed, const Probe& probe, const View& view) {
-    constexpr double range_tolerance = 1e-6;  // u, v and h are floats near 1
+    constexpr double range_tolerance = 1e-5;  // what a rasteriser's interpolation may be off by
     constexpr double place_tolerance = 2e-5;  // t and depth go through a matrix in floats
     std::size_t out_of_range = 0;
     double worst_t = 0;

@@ -71,7 +71,7 @@ void check_first_hit(CheckList& list, const PromiseDeclaration& declaration) {
     for (const Circumstance& where : intersection_circumstances()) {
         list.check("first_hit", describe(parameters, list.manifest()) + "; " + describe(where), [&]() -> Finding {
             const CoordinateScene& scene = list.scenes().get(where.map, where.map_size);
-            const Comparison found = compare_with_truth(list.device(), list.technique(), parameters, scene, where.view);
+            const Comparison& found = list.comparison(parameters, where);
             const double floor =
                 list.filter_deviation() * most_texels_through_relief(where.view, scene.map, found.truth.footprint);
             const double p99 = found.errors.uv_texels ? found.errors.uv_texels->p99 : INFINITY;
@@ -90,7 +90,7 @@ void check_conservative(CheckList& list, const PromiseDeclaration& declaration) 
     for (const Circumstance& where : intersection_circumstances()) {
         list.check("conservative", describe(parameters, list.manifest()) + "; " + describe(where), [&]() -> Finding {
             const CoordinateScene& scene = list.scenes().get(where.map, where.map_size);
-            const Comparison found = compare_with_truth(list.device(), list.technique(), parameters, scene, where.view);
+            const Comparison& found = list.comparison(parameters, where);
             const std::size_t beyond = pixels_beyond(found, scene.map, where.view, list.filter_deviation());
             const double fraction = static_cast<double>(beyond) / static_cast<double>(found.errors.footprint);
             return {found.errors.compared > 0 && fraction <= tolerated_pixels,
