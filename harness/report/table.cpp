@@ -229,8 +229,10 @@ std::string format_table(const std::vector<CellResult>& cells) {
         text += '\n';
     }
     if (!groups.empty()) text += legend;
-    return text + format_reasons(cells, CellStatus::failed, "failed") +
-           format_reasons(cells, CellStatus::skipped, "skipped");
+    const std::string reasons =
+        format_reasons(cells, CellStatus::failed, "failed") + format_reasons(cells, CellStatus::skipped, "skipped");
+    if (!text.empty() && !reasons.empty()) text += '\n';
+    return text + reasons;
 }
 
 }  // namespace reliefbench
