@@ -77,14 +77,6 @@ struct CellQuadratic {
     }
 };
 
-/// Where a ray is in the grid of cells. Cells repeat: (column, row) lies in the map, the base counts whole maps.
-struct Position {
-    double base_x = 0;
-    double base_y = 0;
-    int column = 0;
-    int row = 0;
-};
-
 /// One ray's walk through the hierarchy. `right` and `up` say whether the cell coordinates grow along the ray (or
 /// stay).
 template <bool right, bool up>
@@ -95,10 +87,12 @@ public:
           width_(map.width()),
           height_(map.height()),
           maxima_(maxima),
-          ray_(ray),
+          x_(ray.x),
+          y_(ray.y),
+          last_(ray.last),
           s_(ray.first) {
-        enter(ray.x.at(s_), width_, position_.base_x, position_.column);
-        enter(ray.y.at(s_), height_, position_.base_y, position_.row);
+        column_ = enter(x_, s_, width_);
+        row_ = enter(y_, s_, height_);
         above_ = s_ <= 0 || quadratic(corners()).c >= 0;
     }
 
@@ -109,25 +103,36 @@ public:
     double run() {
         const int top = top_level();
         int level = above_ ? top : 0;
-        while (s_ < ray_.last) {
-            const Exit exit = node_exit(level);
+        while (s_ < last_) {
+            const int wall_x = wall<right>(column_, level, width_);
+            const int wall_y = wall<up>(row_, level, height_);
+            const double s_x = (wall_x - x_.origin) * x_.inverse_step;
+            const double s_y = (wall_y - y_.origin) * y_.inverse_step;
+            const double exit = std::max(std::min(s_x, s_y), s_);
             if (level == 0) {
-                const double hit = test_cell(exit.s);
+                const double hit = test_cell(std::min(exit, last_));
                 if (hit >= 0) {
                     return hit;
                 }
-            } else {
-                const float maximum = maxima_.at(level, position_.column >> level, position_.row >> level);
-                if (1 - exit.s < maximum) {
-                    --level;
-                    continue;
+                if (!above_ && exit > 1) {
+                    break;
                 }
+            } else if (1 - exit < maxima_.at(level, column_ >> level, row_ >> level)) {
+                --level;
+                continue;
             }
-            if (exit.s >= ray_.last || (!above_ && exit.s > 1)) {
-                break;
+            s_ = exit;
+            bool new_parent = false;
+            if (s_x <= s_y) {
+                row_ = advance<up>(row_, y_.at(exit), wall_y);
+                new_parent = leaves_parent<right>(column_ >> level);
+                column_ = cross<right>(wall_x, x_, width_);
+            } else {
+                column_ = advance<right>(column_, x_.at(exit), wall_x);
+                new_parent = leaves_parent<up>(row_ >> level);
+                row_ = cross<up>(wall_y, y_, height_);
             }
-            const bool new_parent = leave(exit, level);
-            if (above_ && new_parent && level < top) {
+            if (new_parent && above_ && level < top) {
                 ++level;
             }
         }
@@ -135,117 +140,108 @@ public:
     }
 
 private:
-    struct Exit {
-        double s;
-        bool through_x;
-    };
-
     struct Corners {
         float h00, h10, h01, h11;
         float minimum() const { return std::min(std::min(h00, h10), std::min(h01, h11)); }
         float maximum() const { return std::max(std::max(h00, h10), std::max(h01, h11)); }
     };
 
-    /// Nodes of about a quarter of the ray's way through the slab: larger ones hardly ever let it pass.
+    /// Nodes of a quarter to half of the ray's way through the slab: larger ones hardly ever let it pass.
     int top_level() const {
-        const double extent = std::min(std::max(std::abs(ray_.x.step), std::abs(ray_.y.step)), 1e9);
+        const double extent = std::min(std::max(std::abs(x_.step), std::abs(y_.step)), 1e9);
         const int bits = static_cast<int>(std::bit_width(static_cast<unsigned>(extent)));
-        return std::clamp(bits - 3, 1, maxima_.top_level());
+        return std::clamp(bits - 2, 1, maxima_.top_level());
     }
 
-    static void enter(double coordinate, int size, double& base, int& cell) {
-        base = coordinate >= 0 && coordinate < size ? 0.0 : std::floor(coordinate / size) * size;
-        cell = std::clamp(static_cast<int>(coordinate - base), 0, size - 1);
+    /// The cell at s. Maps repeat: the axis is moved by whole maps so that the cell lies in the first one.
+    static int enter(Axis& axis, double s, int size) {
+        const double coordinate = axis.at(s);
+        if (coordinate < 0 || coordinate >= size) {
+            axis.origin -= std::floor(coordinate / size) * size;
+            if (axis.at(s) >= size) {  // by rounding; a ray along this border must not have it behind itself
+                axis.origin -= size;
+            }
+        }
+        return std::clamp(static_cast<int>(axis.at(s)), 0, size - 1);
     }
 
-    static int wall(int cell, int level, int size, bool forward) {
+    template <bool forward>
+    static int wall(int cell, int level, int size) {
         const int node = cell >> level;
         return forward ? std::min((node + 1) << level, size) : node << level;
     }
 
-    Exit node_exit(int level) const {
-        const double wall_x = position_.base_x + wall(position_.column, level, width_, right);
-        const double wall_y = position_.base_y + wall(position_.row, level, height_, up);
-        const double s_x = (wall_x - ray_.x.origin) * ray_.x.inverse_step;
-        const double s_y = (wall_y - ray_.y.origin) * ray_.y.inverse_step;
-        return {std::max(std::min(std::min(s_x, s_y), ray_.last), s_), s_x <= s_y};
-    }
-
-    /// Cells only ever change in the ray's direction, so rounding cannot send it back.
-    static int advance_cell(double coordinate, int cell, int level, int size, bool forward) {
+    /// The cell at a coordinate of the same node. Cells only ever change in the ray's direction: rounding cannot send
+    /// it back.
+    template <bool forward>
+    static int advance(int cell, double coordinate, int wall) {
         const int reached = static_cast<int>(coordinate);  // not floor: what is negative is clamped anyway
-        const int limit = wall(cell, level, size, forward);
-        return forward ? std::clamp(reached, cell, limit - 1) : std::clamp(reached, limit, cell);
+        return forward ? std::min(std::max(reached, cell), wall - 1) : std::max(std::min(reached, cell), wall);
     }
 
-    /// Through the wall of a node into its neighbour; whether that has another parent.
-    bool leave(const Exit& exit, int level) {
-        const int parent_column = position_.column >> (level + 1);
-        const int parent_row = position_.row >> (level + 1);
-        if (exit.through_x) {
-            position_.row = advance_cell(ray_.y.at(exit.s) - position_.base_y, position_.row, level, height_, up);
-            cross(position_.column, position_.base_x, level, width_, right);
-        } else {
-            position_.column =
-                advance_cell(ray_.x.at(exit.s) - position_.base_x, position_.column, level, width_, right);
-            cross(position_.row, position_.base_y, level, height_, up);
+    /// The cell behind a wall; from the map's last one to the first of the next map, with the axis.
+    template <bool forward>
+    static int cross(int wall, Axis& axis, int size) {
+        if (forward) {
+            if (wall < size) {
+                return wall;
+            }
+            axis.origin -= size;
+            return 0;
         }
-        s_ = exit.s;
-        return (position_.column >> (level + 1)) != parent_column || (position_.row >> (level + 1)) != parent_row;
+        if (wall > 0) {
+            return wall - 1;
+        }
+        axis.origin += size;
+        return size - 1;
     }
 
-    static void cross(int& cell, double& base, int level, int size, bool forward) {
-        cell = forward ? wall(cell, level, size, true) : wall(cell, level, size, false) - 1;
-        if (cell == size) {
-            cell = 0;
-            base += size;
-        } else if (cell < 0) {
-            cell = size - 1;
-            base -= size;
-        }
+    template <bool forward>
+    static bool leaves_parent(int node) {
+        return (node & 1) == (forward ? 1 : 0);
     }
 
     Corners corners() const {
-        const int next_column = position_.column + 1 == width_ ? 0 : position_.column + 1;
-        const int next_row = position_.row + 1 == height_ ? 0 : position_.row + 1;
-        const float* lower = texels_ + static_cast<std::ptrdiff_t>(position_.row) * width_;
+        const int next_column = column_ + 1 == width_ ? 0 : column_ + 1;
+        const int next_row = row_ + 1 == height_ ? 0 : row_ + 1;
+        const float* lower = texels_ + static_cast<std::ptrdiff_t>(row_) * width_;
         const float* upper = texels_ + static_cast<std::ptrdiff_t>(next_row) * width_;
-        return {lower[position_.column], lower[next_column], upper[position_.column], upper[next_column]};
+        return {lower[column_], lower[next_column], upper[column_], upper[next_column]};
     }
 
     CellQuadratic quadratic(const Corners& corner) const {
-        const double x = ray_.x.at(s_) - (position_.base_x + position_.column);
-        const double y = ray_.y.at(s_) - (position_.base_y + position_.row);
+        const double x = x_.at(s_) - column_;
+        const double y = y_.at(s_) - row_;
         const double h00 = corner.h00;
         const double along_x = corner.h10 - h00;
         const double along_y = corner.h01 - h00;
         const double twist = (corner.h11 - static_cast<double>(corner.h01)) - along_x;
         CellQuadratic f;
-        f.a = -twist * ray_.x.step * ray_.y.step;
-        f.b = -1 - ((along_x + twist * y) * ray_.x.step + (along_y + twist * x) * ray_.y.step);
+        f.a = -twist * x_.step * y_.step;
+        f.b = -1 - ((along_x + twist * y) * x_.step + (along_y + twist * x) * y_.step);
         f.c = (1 - s_) - (h00 + along_x * x + (along_y + twist * x) * y);
         return f;
     }
 
-    /// The crossing between here and the cell's exit, or a negative number; keeps `above_` up to date.
-    double test_cell(double exit) {
+    /// The crossing between here and `end` within the cell, or a negative number; keeps `above_` up to date.
+    double test_cell(double end) {
         const Corners corner = corners();
-        if (1 - exit >= corner.maximum()) {
+        if (1 - end >= corner.maximum()) {
             above_ = true;
             return -1;
         }
         if (!above_ && 1 - s_ < corner.minimum()) {
             return -1;
         }
-        const double length = exit - s_;
+        const double length = end - s_;
         const CellQuadratic f = quadratic(corner);
-        const bool above_at_exit = f.at(length) >= 0;
-        const bool crosses = above_ ? !above_at_exit || (f.a > 0 && f.turns_through_zero(length))
-                                    : !above_at_exit && f.a < 0 && f.turns_through_zero(length);
+        const bool above_at_end = f.at(length) >= 0;
+        const bool crosses = above_ ? !above_at_end || (f.a > 0 && f.turns_through_zero(length))
+                                    : !above_at_end && f.a < 0 && f.turns_through_zero(length);
         if (crosses) {
             return s_ + std::clamp(f.falling_root(), 0.0, length);
         }
-        above_ = above_at_exit;
+        above_ = above_at_end;
         return -1;
     }
 
@@ -253,9 +249,12 @@ private:
     int width_;
     int height_;
     const MaximumMipChain& maxima_;
-    SlabRay ray_;
+    Axis x_;
+    Axis y_;
+    double last_;
     double s_;
-    Position position_;
+    int column_ = 0;
+    int row_ = 0;
     bool above_ = true;
 };
 
