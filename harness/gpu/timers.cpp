@@ -63,6 +63,8 @@ void Timestamps::start(const vk::raii::CommandBuffer& commands, std::uint32_t in
 }
 
 void Timestamps::end(const vk::raii::CommandBuffer& commands, std::uint32_t interval) const {
+    // lavapipe writes the timestamp without waiting for draws; a barrier it does wait for.
+    full_barrier(commands);
     commands.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *pool_, 2 * interval + 1);
 }
 

@@ -13,7 +13,7 @@ namespace reliefbench::gpu {
 /// that a counter that wraps between them is no matter, and only then scaled, in double.
 double elapsed_milliseconds(std::uint64_t start, std::uint64_t end, int valid_bits, double period_ns);
 
-/// Pairs of timestamps around passes, for one submission. A start waits until everything before it is finished.
+/// Pairs of timestamps around passes, for one submission. Both ends wait until everything before them is finished.
 class Timestamps {
 public:
     Timestamps(const Device& device, std::uint32_t intervals);

@@ -11,6 +11,7 @@
 
 #include <cassert>
 #include <cstring>
+#include <optional>
 
 namespace reliefbench {
 
@@ -54,8 +55,11 @@ struct Renderer::State {
           resolution(view.resolution),
           maps(device, technique, parameters, scene.textures()),
           uniforms(upload_uniforms(device, uniforms_of(technique, parameters, scene.textures().size, view, lighting))),
-          setup(make_setup(parameters, scene, view, lighting)),
-          display(device, technique, Draw::Kind::timed_display, setup) {}
+          setup(make_setup(parameters, scene, view, lighting)) {
+        // Both now, so that a shader that does not compile is known before anything is drawn.
+        compile_draw(device, technique, Variant::timed);
+        compile_draw(device, technique, Variant::probed);
+    }
 
     const gpu::Device& device;
     Technique technique;
@@ -63,13 +67,21 @@ struct Renderer::State {
     DerivedMaps maps;
     gpu::Buffer uniforms;
     DrawSetup setup;
-    Draw display;
     bool prepared = false;
+
+    /// What is timed; made when first asked for, and kept.
+    const Draw& display() {
+        if (!display_) display_.emplace(device, technique, Draw::Kind::timed_display, setup);
+        return *display_;
+    }
 
     DrawSetup make_setup(const ParameterValues& parameters, const SceneOnDevice& scene, const View& view,
                          const Lighting& lighting) const;
     /// One draw, submitted and finished.
     void draw_once(const Draw& draw) const;
+
+private:
+    std::optional<Draw> display_;
 };
 
 DrawSetup Renderer::State::make_setup(const ParameterValues& parameters, const SceneOnDevice& scene, const View& view,
@@ -146,25 +158,27 @@ TimedPicture Renderer::draw_timed(ColourTarget target) {
         return picture;
     }
     constexpr float largest = 255;
-    state_->draw_once(state_->display);
-    const auto bytes = to_image<std::array<std::uint8_t, 4>>(size, state_->display.read_target(0));
+    const Draw& display = state_->display();
+    state_->draw_once(display);
+    const auto bytes = to_image<std::array<std::uint8_t, 4>>(size, display.read_target(0));
     picture.colour = Image<std::array<float, 4>>(size);
     for (std::size_t i = 0; i < size.pixels(); ++i) {
         for (std::size_t channel = 0; channel < 4; ++channel)
             picture.colour.texels[i][channel] = static_cast<float>(bytes.texels[i][channel]) / largest;
     }
-    picture.depth = to_image<float>(size, state_->display.read_depth());
+    picture.depth = to_image<float>(size, display.read_depth());
     return picture;
 }
 
 PipelineStatistics Renderer::pipeline_statistics() {
     if (!state_->device.info().has_feature("pipelineStatisticsQuery")) return {};
     assert(state_->prepared);
+    const Draw& display = state_->display();
     const gpu::PipelineStatisticsQuery query(state_->device, state_->setup.patches);
     gpu::submit_and_wait(state_->device, "count pipeline statistics", [&](const vk::raii::CommandBuffer& commands) {
-        state_->display.begin(commands);
+        display.begin(commands);
         query.start(commands);
-        state_->display.record(commands);
+        display.record(commands);
         query.end(commands);
     });
     return query.read();
@@ -172,16 +186,17 @@ PipelineStatistics Renderer::pipeline_statistics() {
 
 std::vector<double> Renderer::time_draw(int samples, int repeats) {
     assert(state_->prepared && samples > 0 && repeats > 0);
+    const Draw& display = state_->display();
     const gpu::Timestamps timestamps(state_->device, static_cast<std::uint32_t>(samples));
     const std::string what = fmt::format("time technique '{}'", state_->technique.manifest.id);
     gpu::submit_and_wait(state_->device, what, [&](const vk::raii::CommandBuffer& commands) {
         timestamps.reset(commands);
-        state_->display.begin(commands);
+        display.begin(commands);
         for (int sample = 0; sample < samples; ++sample) {
             timestamps.start(commands, static_cast<std::uint32_t>(sample));
             for (int repeat = 0; repeat < repeats; ++repeat) {
                 if (repeat > 0) gpu::full_barrier(commands);
-                state_->display.record(commands);
+                display.record(commands);
             }
             timestamps.end(commands, static_cast<std::uint32_t>(sample));
         }
