@@ -58,14 +58,20 @@ void Timestamps::reset(const vk::raii::CommandBuffer& commands) const {
 }
 
 void Timestamps::start(const vk::raii::CommandBuffer& commands, std::uint32_t interval) const {
-    full_barrier(commands);
-    commands.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *pool_, 2 * interval);
+    write(commands, 2 * interval);
 }
 
 void Timestamps::end(const vk::raii::CommandBuffer& commands, std::uint32_t interval) const {
-    // lavapipe writes the timestamp without waiting for draws; a barrier it does wait for.
+    write(commands, 2 * interval + 1);
+}
+
+void Timestamps::write(const vk::raii::CommandBuffer& commands, std::uint32_t query) const {
     full_barrier(commands);
-    commands.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *pool_, 2 * interval + 1);
+    commands.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *pool_, query);
+    // lavapipe bins a timestamp with the draw that follows and takes it tile by tile, so that the last tile of that
+    // draw would decide it; a barrier makes it take the timestamp now. Elsewhere, with nothing running, it costs
+    // little.
+    full_barrier(commands);
 }
 
 std::vector<double> Timestamps::milliseconds() const {

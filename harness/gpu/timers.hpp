@@ -27,6 +27,8 @@ public:
     std::vector<double> milliseconds() const;
 
 private:
+    void write(const vk::raii::CommandBuffer& commands, std::uint32_t query) const;
+
     const Device* device_;
     std::uint32_t intervals_;
     vk::raii::QueryPool pool_{nullptr};
