@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <mutex>
 #include <set>
+#include <string>
+#include <thread>
 #include <vector>
 
 using namespace reliefbench;
@@ -38,17 +41,28 @@ TEST(ParallelFor, NothingToDoCallsNothing) {
     parallel_for(0, 16, [](std::size_t, std::size_t) { FAIL(); });
 }
 
-TEST(ParallelFor, TheLowestFailureIsTheOneThrown) {
-    for (int repeat = 0; repeat < 50; ++repeat) {
-        try {
-            parallel_for(64, 1, [](std::size_t begin, std::size_t) {
-                if (begin >= 3) fail("range {}", begin);
-            });
-            FAIL() << "nothing was thrown";
-        } catch (const Error& error) {
-            EXPECT_STREQ(error.what(), "range 3");
-        }
+/// Two ranges fail at the same time, as far as there are two cores; `late` (0 or 1) does so after the other.
+std::string failure_with_late_range(std::size_t late) {
+    std::atomic<bool> second_started = false;
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
+    try {
+        parallel_for(2, 1, [&](std::size_t range, std::size_t) {
+            second_started = second_started || range == 1;
+            while (!second_started && std::chrono::steady_clock::now() < deadline) {
+                std::this_thread::yield();
+            }
+            if (range == late) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            fail("range {}", range);
+        });
+    } catch (const Error& error) {
+        return error.what();
     }
+    return "nothing was thrown";
+}
+
+TEST(ParallelFor, TheLowestFailureIsTheOneThrown) {
+    EXPECT_EQ(failure_with_late_range(0), "range 0");
+    EXPECT_EQ(failure_with_late_range(1), "range 0");
 }
 
 TEST(ParallelFor, CallsMayNest) {
