@@ -163,11 +163,10 @@ TEST(MeshTracer, TrianglesAndGridsAreTheSameSurface) {
                 if (a && b) differences.push_back(std::abs(a->t - b->t));
             }
         }
-        std::sort(differences.begin(), differences.end());
         ASSERT_GT(differences.size(), 800u);
-        // Embree may cut a grid's cells along the other diagonal than the triangles here.
-        EXPECT_LT(differences[differences.size() / 2], 1e-3);
-        EXPECT_LE(coverage_differs, 4);
+        // Embree cuts a grid's cells along the same diagonal; its two intersectors round differently.
+        EXPECT_LT(*std::max_element(differences.begin(), differences.end()), 1e-6);
+        EXPECT_EQ(coverage_differs, 0);
     }
 }
 
