@@ -88,9 +88,14 @@ double depth_of(const glm::dmat4& clip_from_world, const Hit& hit, const Relief&
     return clip.z / clip.w;
 }
 
+/// What u, v and h may leave [0, 1] by. A rasteriser snaps vertices to 1/256 pixel, so that what it interpolates on the
+/// outline of real geometry is extrapolated by as much.
+double range_tolerance(const Manifest& manifest) {
+    return manifest.shape.kind == Shape::Kind::patches ? 1e-3 : 1e-6;
+}
+
 /// Coordinates finite and in range; t the distance of S(u, v) along the ray; the depth written that of S(u, v).
-Finding check_hits(const TimedPicture& timed, const Probe& probe, const View& view) {
-    constexpr double range_tolerance = 1e-5;  // what a rasteriser's interpolation may be off by
+Finding check_hits(const TimedPicture& timed, const Probe& probe, const View& view, double range_tolerance) {
     constexpr double place_tolerance = 2e-5;  // t and depth go through a matrix in floats
     std::size_t out_of_range = 0;
     double worst_t = 0;
@@ -104,7 +109,7 @@ Finding check_hits(const TimedPicture& timed, const Probe& probe, const View& vi
             if (!finite || !std::isfinite(hit.t)) ++out_of_range;
             if (!finite || !hit.is_hit()) continue;
             ++hits;
-            const auto in_unit = [](double x) { return x >= -range_tolerance && x <= 1 + range_tolerance; };
+            const auto in_unit = [&](double x) { return x >= -range_tolerance && x <= 1 + range_tolerance; };
             const bool inside = view.relief.boundary == Boundary::repeat || (in_unit(hit.u) && in_unit(hit.v));
             if (!inside || !in_unit(hit.h)) ++out_of_range;
 
@@ -163,7 +168,9 @@ void check_pictures(CheckList& list) {
                 probe = renderer.probe();
                 return compare_pictures(timed, probe, scene.map, bit_for_bit);
             });
-            if (drawn) list.check("hits are in range", text, [&] { return check_hits(timed, probe, where.view); });
+            if (drawn)
+                list.check("hits are in range", text,
+                           [&] { return check_hits(timed, probe, where.view, range_tolerance(list.manifest())); });
         }
     }
 }

@@ -1,0 +1,160 @@
+#include "verify_test.hpp"
+
+#include "verify/general_checks.hpp"
+#include "verify/conformance.hpp"
+#include "verify/promise_checks.hpp"
+
+namespace reliefbench::test {
+
+namespace {
+
+/// Each copy of a shader is wrong in one place; the check named must find it.
+class BrokenCopies : public VerifyTest {
+protected:
+    static void expect_failure(const BrokenCopy& copy, const std::string& check,
+                               const std::function<void(CheckList&)>& body) {
+        const std::vector<Check> checks = checks_until_failure(device(), copy.technique(), body);
+        ASSERT_FALSE(checks.empty());
+        EXPECT_FALSE(checks.back().passed) << "a broken copy of " << copy.technique().manifest.id << " passed "
+                                           << checks.size() << " checks, the last: " << checks.back().detail;
+        EXPECT_EQ(checks.back().name, check) << checks.back().detail;
+    }
+
+    static void expect_broken_promise(const BrokenCopy& copy, Promise promise) {
+        const Manifest& manifest = copy.technique().manifest;
+        for (const PromiseDeclaration& declaration : manifest.promises) {
+            if (declaration.promise != promise) continue;
+            expect_failure(copy, to_string(promise), [&](CheckList& list) { check_promise(list, declaration); });
+            return;
+        }
+        FAIL() << manifest.id << " does not promise " << to_string(promise);
+    }
+};
+
+}  // namespace
+
+TEST_F(BrokenCopies, Order1FindsHalfAStepTooFar) {
+    expect_broken_promise(BrokenCopy("steep", "trace.glsl", "hit_on_ray(crossing.s_below,",
+                                     "hit_on_ray(1.5 * crossing.s_below - 0.5 * crossing.s_above,"),
+                          Promise::order_1);
+}
+
+TEST_F(BrokenCopies, Order1FindsSwappedHalvesOfTheBinarySearch) {
+    expect_broken_promise(BrokenCopy("relief", "trace.glsl", "< 1.0 - middle)", ">= 1.0 - middle)"), Promise::order_1);
+}
+
+TEST_F(BrokenCopies, Order1FindsAMissingHalving) {
+    expect_broken_promise(BrokenCopy("relief", "trace.glsl", "i < binary_steps", "i < binary_steps - 1"),
+                          Promise::order_1);
+}
+
+TEST_F(BrokenCopies, Order1FindsAMapShiftedByHalfATexel) {
+    expect_broken_promise(BrokenCopy("steep", "march.glsl", "tap_height(point_on_ray(ray, s))",
+                                     "tap_height(point_on_ray(ray, s) + 0.5 / vec2(height_map_size()))"),
+                          Promise::order_1);
+}
+
+TEST_F(BrokenCopies, Order2FindsHalfAStepTooFar) {
+    expect_broken_promise(
+        BrokenCopy("pom", "trace.glsl", "crossing.s_below, fraction)", "crossing.s_below, fraction + 0.5)"),
+        Promise::order_2);
+}
+
+TEST_F(BrokenCopies, Order2FindsTheMiddleOfTheLayerInPlaceOfTheIntersection) {
+    expect_broken_promise(BrokenCopy("pom", "trace.glsl", "0.0 : above / (above + below)", "0.0 : 0.5"),
+                          Promise::order_2);
+}
+
+TEST_F(BrokenCopies, FirstHitFindsNodesSkippedByTheirEntry) {
+    expect_broken_promise(
+        BrokenCopy("qdm", "trace.glsl", "bool blocked = 1.0 - node.exit < top;", "bool blocked = 1.0 - place.s < top;"),
+        Promise::first_hit);
+}
+
+TEST_F(BrokenCopies, FirstHitFindsATraversalThatSkipsWhatIsBehindTheWall) {
+    expect_broken_promise(BrokenCopy("qdm", "trace.glsl", "int wrapped = beyond == size ? 0",
+                                     "beyond += ray.forward[axis] && beyond + 1 < size ? 1 : 0;\n"
+                                     "    int wrapped = beyond == size ? 0"),
+                          Promise::first_hit);
+}
+
+TEST_F(BrokenCopies, FirstHitFindsAnAscentThatForgetsTheCell) {
+    expect_broken_promise(BrokenCopy("qdm", "trace.glsl", "bool new_parent = (place.cell",
+                                     "place.cell = (place.cell >> 1) << 1;\n"
+                                     "        bool new_parent = (place.cell"),
+                          Promise::first_hit);
+}
+
+TEST_F(BrokenCopies, FirstHitFindsAMapShiftedByHalfATexel) {
+    expect_broken_promise(BrokenCopy("qdm", "trace.glsl", "vec2(height_map_size()) - 0.5;", "vec2(height_map_size());"),
+                          Promise::first_hit);
+}
+
+TEST_F(BrokenCopies, FirstHitFindsACapThatEndsSearches) {
+    expect_broken_promise(BrokenCopy("qdm", "technique.json", "\"default\": 4096", "\"default\": 16"),
+                          Promise::first_hit);
+}
+
+TEST_F(BrokenCopies, ConservativeFindsTheFarWallInPlaceOfTheHit) {
+    expect_broken_promise(BrokenCopy("qdm", "trace.glsl", "hit_on_ray(mix(place.s, node.exit, fraction)",
+                                     "hit_on_ray(mix(place.s, node.exit, 1.0)"),
+                          Promise::conservative);
+}
+
+TEST_F(BrokenCopies, ConservativeFindsATreeWithoutTheCellsFarCorners) {
+    expect_broken_promise(BrokenCopy("qdm", "cell_maximum.glsl",
+                                     "max(max(corners.x, corners.y), max(corners.z, corners.w))", "corners.x"),
+                          Promise::conservative);
+}
+
+TEST_F(BrokenCopies, TimedAndProbedMustAgree) {
+    const BrokenCopy copy("steep", "trace.glsl", "    return hit_on_ray(crossing.s_below, crossing.steps);",
+                          "#ifndef RELIEFBENCH_PROBED\n"
+                          "    return hit_on_ray(0.5 * (crossing.s_above + crossing.s_below), crossing.steps);\n"
+                          "#endif\n"
+                          "    return hit_on_ray(crossing.s_below, crossing.steps);");
+    expect_failure(copy, "timed and probed agree", check_pictures);
+}
+
+TEST_F(BrokenCopies, TimedAndProbedMustCoverTheSamePixels) {
+    const BrokenCopy copy("steep", "trace.glsl", "    return hit_on_ray(crossing.s_below, crossing.steps);",
+                          "#ifdef RELIEFBENCH_PROBED\n"
+                          "    if (crossing.steps > 6) return miss(crossing.steps);\n"
+                          "#endif\n"
+                          "    return hit_on_ray(crossing.s_below, crossing.steps);");
+    expect_failure(copy, "timed and probed agree", check_pictures);
+}
+
+TEST_F(BrokenCopies, HitsMustBeFinite) {
+    const BrokenCopy copy("pom", "trace.glsl", "crossing.steps == 0 ? 0.0 : above / (above + below)",
+                          "(above - above) / (below - below)");
+    const std::vector<Check> checks = checks_until_failure(device(), copy.technique(), check_pictures);
+    EXPECT_FALSE(checks.back().passed);
+}
+
+TEST_F(BrokenCopies, HitsMustStayInTheRelief) {
+    const BrokenCopy copy("parallax", "trace.glsl", "depth * full_offset, h, 1)", "depth * full_offset, h + 0.5, 1)");
+    expect_failure(copy, "hits are in range", check_pictures);
+}
+
+/// The listing of Luna 2012, section 6, pairs the tap at the entry with the ray one layer down.
+TEST_F(BrokenCopies, AMapOfOnesMustBeThePolygon) {
+    const BrokenCopy copy("pom", "trace.glsl", "return hit_on_ray(mix(crossing.s_above, crossing.s_below, fraction)",
+                          "return hit_on_ray(mix(crossing.s_above, crossing.s_below, fraction) + 1.0 / 50.0");
+    expect_failure(copy, "a map of ones is the polygon", check_polygon);
+}
+
+TEST_F(BrokenCopies, TapsMustBeCounted) {
+    const BrokenCopy copy("parallax", "trace.glsl", "tap_height(ray.uv)", "textureLod(height_map, ray.uv, 0.0).r");
+    expect_failure(copy, "work is counted", check_work);
+}
+
+TEST_F(BrokenCopies, AShaderThatDoesNotCompileIsAFailedCheck) {
+    const BrokenCopy copy("steep", "trace.glsl", "Crossing crossing", "Crossing crossing =");
+    const std::vector<Check> checks = verify_technique(device(), copy.technique());
+    ASSERT_EQ(checks.size(), 1U);
+    EXPECT_FALSE(checks.front().passed);
+    EXPECT_NE(checks.front().detail.find("trace.glsl"), std::string::npos) << checks.front().detail;
+}
+
+}  // namespace reliefbench::test

@@ -1,0 +1,79 @@
+#include "verify_test.hpp"
+
+#include "verify/conformance.hpp"
+
+#include <gmock/gmock.h>
+
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace reliefbench::test {
+
+namespace {
+
+/// Promise, "name=value" of the parameters under which it holds, halvings parameter.
+using PromiseText = std::tuple<std::string, std::string, std::string>;
+
+std::set<PromiseText> promises_of(const Manifest& manifest) {
+    std::set<PromiseText> promises;
+    for (const PromiseDeclaration& declaration : manifest.promises) {
+        std::string with;
+        for (const auto& [name, value] : declaration.with)
+            with += (with.empty() ? "" : " ") + name + "=" + to_string(value);
+        promises.insert({to_string(declaration.promise), with, declaration.halvings.value_or("")});
+    }
+    return promises;
+}
+
+std::vector<std::string> technique_ids() {
+    std::vector<std::string> ids;
+    for (const Technique& technique : find_techniques({default_technique_root()}).techniques)
+        ids.push_back(technique.manifest.id);
+    return ids;
+}
+
+class ShippedTechnique : public VerifyTest, public testing::WithParamInterface<std::string> {};
+
+}  // namespace
+
+TEST(Promises, ShippedTechniquesMakeThese) {
+    const std::map<std::string, std::set<PromiseText>> expected{
+        {"flat", {}},
+        {"parallax", {}},
+        {"steep", {{"order_1", "adaptive=false", ""}}},
+        {"relief", {{"order_1", "adaptive=false", "binary_steps"}}},
+        {"pom", {{"order_2", "adaptive=false", ""}}},
+        {"qdm", {{"first_hit", "leaf=exact", ""}, {"conservative", "leaf=exact", ""}}},
+        {"tessellation", {}},
+    };
+    for (const auto& [id, promises] : expected)
+        EXPECT_EQ(promises_of(shipped(id).manifest), promises) << id;
+}
+
+TEST(Promises, EveryShippedFolderIsUsable) {
+    const TechniqueLibrary library = find_techniques({default_technique_root()});
+    for (const auto& [id, reason] : library.broken)
+        ADD_FAILURE() << id << ": " << reason;
+    for (const Technique& technique : library.techniques)
+        EXPECT_TRUE(std::filesystem::exists(technique.folder / "README.md")) << technique.manifest.id;
+}
+
+TEST_P(ShippedTechnique, KeepsItsPromises) {
+    const Technique technique = shipped(GetParam());
+    std::set<std::string> seen;
+    for (const Check& check : verify_technique(device(), technique)) {
+        seen.insert(check.name);
+        EXPECT_TRUE(check.passed) << check.name << " {" << check.circumstances << "} " << check.detail;
+    }
+    for (const char* general :
+         {"compiles", "timed and probed agree", "hits are in range", "a map of ones is the polygon", "work is counted"})
+        EXPECT_TRUE(seen.contains(general)) << general;
+    for (const PromiseDeclaration& declaration : technique.manifest.promises)
+        EXPECT_TRUE(seen.contains(to_string(declaration.promise))) << to_string(declaration.promise);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedTechnique, testing::ValuesIn(technique_ids()),
+                         [](const auto& instance) { return instance.param; });
+
+}  // namespace reliefbench::test
