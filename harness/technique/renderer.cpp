@@ -207,4 +207,16 @@ std::vector<double> Renderer::time_draw(int samples, int repeats) {
     return milliseconds;
 }
 
+std::vector<double> time_empty_pass(const gpu::Device& device, int samples) {
+    const gpu::Timestamps timestamps(device, static_cast<std::uint32_t>(samples));
+    gpu::submit_and_wait(device, "time an empty pass", [&](const vk::raii::CommandBuffer& commands) {
+        timestamps.reset(commands);
+        for (std::uint32_t sample = 0; sample < static_cast<std::uint32_t>(samples); ++sample) {
+            timestamps.start(commands, sample);
+            timestamps.end(commands, sample);
+        }
+    });
+    return timestamps.milliseconds();
+}
+
 }  // namespace reliefbench

@@ -82,7 +82,7 @@ struct Preparation {
 using PipelineStatistics = std::map<std::string, std::uint64_t>;
 
 /// One technique with one set of parameters before one view. Construction compiles the shaders (an Error names file,
-/// line and technique) and allocates; `prepare` must come before everything else.
+/// line and technique) and allocates; `prepare` must come before everything else. Device and scene must outlive it.
 class Renderer {
 public:
     Renderer(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
@@ -103,6 +103,9 @@ private:
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// `samples` timings of a pass that does nothing: what the measurement itself costs. Never subtracted.
+std::vector<double> time_empty_pass(const gpu::Device& device, int samples);
 
 /// Empty when the device can run the technique on the map and view, else the reason for skipping the cell.
 std::string unsupported_reason(const gpu::Device& device, const Technique& technique, const View& view,
