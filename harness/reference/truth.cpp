@@ -39,8 +39,9 @@ Truth trace_hits(const Tracer& tracer, const View& view) {
     Truth truth;
     truth.hits = HitImage(view.resolution);
     truth.footprint = Image<std::uint8_t>(view.resolution);
+    const PixelRays rays(view.camera, view.resolution);
     for_each_pixel(view.resolution, [&](int i, int j) {
-        const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
+        const Ray ray = rays.at(i, j);
         const bool in_footprint = footprint_entry(ray).has_value();
         truth.footprint.at(i, j) = in_footprint ? 1 : 0;
         if (!in_footprint && view.relief.boundary == Boundary::repeat) return;
@@ -72,6 +73,7 @@ Image<std::array<float, 3>> shade_hits(const HitImage& hits, const HeightMap& ma
                                        const View& view, const Lighting& lighting) {
     const Image<std::array<float, 2>> derivatives = height_derivatives(map);
     const double tiling = view.relief.tiling;
+    const PixelRays rays(view.camera, view.resolution);
     Image<std::array<float, 3>> colour(hits.size);
     for_each_pixel(hits.size, [&](int i, int j) {
         const Hit& hit = hits.at(i, j);
@@ -79,7 +81,7 @@ Image<std::array<float, 3>> shade_hits(const HitImage& hits, const HeightMap& ma
         if (hit.is_hit()) {
             const std::array<double, 3> sampled = albedo.sample(tiling * hit.u, tiling * hit.v);
             const glm::dvec3 normal = shading_normal(derivatives, view.relief, hit.u, hit.v);
-            const glm::dvec3 to_eye = -pixel_ray(view.camera, view.resolution, i, j).direction;
+            const glm::dvec3 to_eye = -rays.at(i, j).direction;
             linear = shade(lighting, {sampled[0], sampled[1], sampled[2]}, normal, to_eye, hit.t);
         }
         colour.at(i, j) = {static_cast<float>(linear.r), static_cast<float>(linear.g), static_cast<float>(linear.b)};

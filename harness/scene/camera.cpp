@@ -73,16 +73,23 @@ CameraFrame camera_frame(const Camera& camera) {
     return frame;
 }
 
-Ray pixel_ray(const Camera& camera, Resolution resolution, double i, double j) {
+PixelRays::PixelRays(const Camera& camera, Resolution resolution)
+    : parallel_(camera.projection == Projection::parallel), resolution_(resolution), frame_(camera_frame(camera)) {
     assert(resolution.width > 0 && resolution.height > 0);
-    const CameraFrame frame = camera_frame(camera);
-    const double across = (i + 0.5) / resolution.width;
-    const double down = (j + 0.5) / resolution.height;
-    if (camera.projection == Projection::parallel) return {{across - 0.5, 0.5 - down, 0.0}, frame.forward};
     const glm::dvec2 extent = half_extent(camera, resolution);
-    const glm::dvec3 direction =
-        frame.forward + frame.right * ((2 * across - 1) * extent.x) + frame.up * ((1 - 2 * down) * extent.y);
-    return {frame.eye, glm::normalize(direction)};
+    across_ = frame_.right * extent.x;
+    upwards_ = frame_.up * extent.y;
+}
+
+Ray PixelRays::at(double i, double j) const {
+    const double across = (i + 0.5) / resolution_.width;
+    const double down = (j + 0.5) / resolution_.height;
+    if (parallel_) return {{across - 0.5, 0.5 - down, 0.0}, frame_.forward};
+    return {frame_.eye, glm::normalize(frame_.forward + across_ * (2 * across - 1) + upwards_ * (1 - 2 * down))};
+}
+
+Ray pixel_ray(const Camera& camera, Resolution resolution, double i, double j) {
+    return PixelRays(camera, resolution).at(i, j);
 }
 
 glm::dmat4 clip_from_world(const Camera& camera, Resolution resolution) {

@@ -46,7 +46,24 @@ struct CameraFrame {
 
 CameraFrame camera_frame(const Camera& camera);
 
-/// The ray through the centre of pixel (i, j); row 0 is the top. i and j may be fractions.
+/// The rays of a picture's pixels; row 0 is the top.
+class PixelRays {
+public:
+    PixelRays(const Camera& camera, Resolution resolution);
+
+    /// Through the centre of pixel (i, j); i and j may be fractions.
+    Ray at(double i, double j) const;
+
+private:
+    bool parallel_;
+    Resolution resolution_;
+    CameraFrame frame_;
+    /// `right` and `up` times the tangents of the half angles that the picture spans.
+    glm::dvec3 across_;
+    glm::dvec3 upwards_;
+};
+
+/// One ray of them.
 Ray pixel_ray(const Camera& camera, Resolution resolution, double i, double j);
 
 /// World to Vulkan clip space (y down, depth 0..1, less is nearer) with exactly the pixels of `pixel_ray`.
