@@ -140,6 +140,16 @@ std::size_t pixels_with_steps_but_no_taps(const Probe& probe) {
 
 }  // namespace
 
+bool check_supported(CheckList& list) {
+    const Circumstance first = picture_circumstances().front();
+    const std::string reason = unsupported_reason(list.device(), list.technique(), first.view, first.map_size);
+    if (reason.empty()) return true;
+    list.check("runs on this device", list.device().info().name, [&]() -> Finding {
+        return {true, "skipped: " + reason};
+    });
+    return false;
+}
+
 bool check_compiles(CheckList& list) {
     const Circumstance first = picture_circumstances().front();
     return list.check("compiles", describe(list.manifest().defaults(), list.manifest()), [&]() -> Finding {

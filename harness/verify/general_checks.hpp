@@ -6,6 +6,10 @@ namespace reliefbench {
 
 /// What every technique must do, whatever it promises. Each adds its checks to the list.
 
+/// Whether the device can run the technique at all. One that cannot is no failure: the only check says why it was
+/// skipped.
+bool check_supported(CheckList& list);
+
 /// Both compilations of every stage. Returns whether the others can be run.
 bool check_compiles(CheckList& list);
 
