@@ -16,9 +16,10 @@ constexpr std::uint32_t patch_corners = 4;
 constexpr std::size_t work_values = 4;
 
 /// lavapipe (Mesa 22.3) numbers the vertices that tessellation makes in one draw with 16 bits and silently connects
-/// wrong ones beyond. 15 patches at the largest factor, of 65·65 vertices each, stay below.
+/// wrong ones beyond; 15 patches at the largest factor, of 65·65 vertices each, stay below. It also takes time that
+/// grows with the square of a draw's vertices: 16 such patches took five times as long in draws of 15 as in draws of 4.
 std::uint32_t vertices_per_draw(const gpu::Device& device, const DrawSetup& setup) {
-    constexpr std::uint32_t patches_on_cpu = 15;
+    constexpr std::uint32_t patches_on_cpu = 4;
     const bool limited = setup.patches && device.info().type == gpu::DeviceType::cpu;
     return limited ? patches_on_cpu * patch_corners : setup.vertices;
 }
