@@ -27,11 +27,16 @@ std::optional<std::string> output_of(const std::string& command) {
 }
 
 std::string quoted_for_shell(const std::string& text) {
-    std::string quoted = "'";
+    std::string quoted(1, '\'');
     for (const char character : text) {
-        quoted += character == '\'' ? std::string("'\\''") : std::string(1, character);
+        if (character == '\'') {
+            quoted.append("'\\''");
+        } else {
+            quoted.push_back(character);
+        }
     }
-    return quoted + "'";
+    quoted.push_back('\'');
+    return quoted;
 }
 
 /// The value after `key` and `separator` in the first such line of a file.
