@@ -27,7 +27,7 @@ struct OptionalFeature {
 };
 
 constexpr std::array optional_features{
-    OptionalFeature{"tessellation", &vk::PhysicalDeviceFeatures::tessellationShader},
+    OptionalFeature{"tessellationShader", &vk::PhysicalDeviceFeatures::tessellationShader},
     OptionalFeature{"fragmentStoresAndAtomics", &vk::PhysicalDeviceFeatures::fragmentStoresAndAtomics},
     OptionalFeature{"vertexPipelineStoresAndAtomics", &vk::PhysicalDeviceFeatures::vertexPipelineStoresAndAtomics},
     OptionalFeature{"pipelineStatisticsQuery", &vk::PhysicalDeviceFeatures::pipelineStatisticsQuery},

@@ -31,7 +31,7 @@ struct DeviceInfo {
     int max_tessellation_factor = 0;
     std::uint64_t max_storage_buffer_bytes = 0;
     /// Optional features that the device has, by their names in technique.json and, for the harness's own use, by
-    /// Vulkan's names: "tessellation", "fragmentStoresAndAtomics", ...
+    /// Vulkan's names: "tessellationShader", "fragmentStoresAndAtomics", ...
     std::vector<std::string> features;
     /// Empty, or why reliefbench cannot run on it ("Vulkan 1.2 only, 1.3 is needed").
     std::string unusable_reason;

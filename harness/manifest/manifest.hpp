@@ -89,7 +89,7 @@ struct Manifest {
     std::optional<std::string> sample_count;
     /// The parameter that keeps its default ratio to the sample count when that is swept (an adaptive minimum).
     std::optional<std::string> sample_count_minimum;
-    /// Device features it needs, as the device layer names them: "tessellation", ...
+    /// Device features it needs, as the device layer names them: "tessellationShader", ...
     std::vector<std::string> features;
     std::vector<MapDeclaration> maps;
     std::vector<PassDeclaration> passes;

@@ -24,7 +24,7 @@ const std::vector<std::string> map_sizes{"height_map", "next_power_of_two"};
 const std::vector<std::string> pass_levels{"base", "above_base"};
 
 const std::vector<std::string> kinds = words("texture parallax march hierarchy cone geometry");
-const std::vector<std::string> known_features{"tessellation"};
+const std::vector<std::string> known_features{"tessellationShader"};
 const std::vector<std::string> map_formats{"r8", "r16", "r32f", "rg32f", "rgba8", "rgba16", "rgba32f"};
 
 std::string line(const JsonView& view) {
@@ -307,8 +307,8 @@ Manifest parse_manifest(const Json& json, const std::string& id, const std::stri
     }
     parse_maps_and_passes(view, manifest, names);
     manifest.shape = parse_shape(view.at("shape"), manifest);
-    const bool tessellates = std::ranges::find(manifest.features, "tessellation") != manifest.features.end();
-    if (manifest.shape.kind == Shape::Kind::patches && !tessellates) manifest.features.push_back("tessellation");
+    const bool tessellates = std::ranges::find(manifest.features, "tessellationShader") != manifest.features.end();
+    if (manifest.shape.kind == Shape::Kind::patches && !tessellates) manifest.features.push_back("tessellationShader");
     for (const JsonView& item : view.at("promises").items()) {
         manifest.promises.push_back(parse_promise(item, manifest));
     }

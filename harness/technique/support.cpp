@@ -34,7 +34,7 @@ std::string unsupported_reason(const gpu::Device& device, const Technique& techn
     std::vector<std::string> needed = technique.manifest.features;
     needed.emplace_back("fragmentStoresAndAtomics");
     if (technique.manifest.shape.kind == Shape::Kind::patches) {
-        needed.emplace_back("tessellation");
+        needed.emplace_back("tessellationShader");
         needed.emplace_back("vertexPipelineStoresAndAtomics");
     }
     for (const std::string& feature : needed) {

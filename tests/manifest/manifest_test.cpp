@@ -30,7 +30,7 @@ Json complete() {
             {"name": "adaptive", "type": "boolean", "default": false, "help": "By angle."},
             {"name": "leaf", "type": "choice", "choices": ["linear", "exact"], "default": "exact", "help": "Leaf."}],
         "sample_count": "max_steps", "sample_count_minimum": "min_steps",
-        "features": ["tessellation"],
+        "features": ["tessellationShader"],
         "maps": [{"name": "tree", "format": "r16", "size": "next_power_of_two", "mip_chain": true},
                  {"name": "cones", "format": "rg32f", "linear_filter": true}],
         "passes": [{"name": "leaves", "shader": "leaves.glsl", "writes": "tree"},
@@ -78,7 +78,7 @@ TEST(Manifest, IsReadInFull) {
     EXPECT_THAT(manifest.parameters[5].choices, ElementsAre("linear", "exact"));
     EXPECT_EQ(manifest.sample_count, "max_steps");
     EXPECT_EQ(manifest.sample_count_minimum, "min_steps");
-    EXPECT_THAT(manifest.features, ElementsAre("tessellation"));
+    EXPECT_THAT(manifest.features, ElementsAre("tessellationShader"));
     ASSERT_EQ(manifest.maps.size(), 2U);
     EXPECT_EQ(manifest.maps[0].size, MapDeclaration::Size::next_power_of_two);
     EXPECT_TRUE(manifest.maps[0].mip_chain);
@@ -103,7 +103,7 @@ TEST(Manifest, PatchesNameTheirParameterAndNeedTessellation) {
     EXPECT_EQ(manifest.shape.kind, Shape::Kind::patches);
     EXPECT_EQ(manifest.shape.patches_parameter, "binary_steps");
     EXPECT_EQ(manifest.shape.texels_per_patch, 64);
-    EXPECT_THAT(manifest.features, ElementsAre("tessellation"));
+    EXPECT_THAT(manifest.features, ElementsAre("tessellationShader"));
 }
 
 TEST(Manifest, TheSampleCountTakesTheAdaptiveMinimumAlong) {

@@ -12,7 +12,7 @@ class Tessellation : public DeviceTest {
 protected:
     void SetUp() override {
         DeviceTest::SetUp();
-        if (!device().info().has_feature("tessellation")) GTEST_SKIP() << "the device cannot tessellate";
+        if (!device().info().has_feature("tessellationShader")) GTEST_SKIP() << "the device cannot tessellate";
     }
 };
 
