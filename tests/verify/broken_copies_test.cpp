@@ -1,7 +1,7 @@
 #include "verify_test.hpp"
 
-#include "verify/general_checks.hpp"
 #include "verify/conformance.hpp"
+#include "verify/general_checks.hpp"
 #include "verify/promise_checks.hpp"
 
 namespace reliefbench::test {
