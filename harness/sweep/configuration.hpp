@@ -76,10 +76,10 @@ struct Configuration {
 };
 
 /// `overrides` are "-a" arguments: "name=v1,v2" or "name=[start:stop:step]" (stop included when met). They replace an
-/// axis; a parameter wherever it is set; `sample_count` also the sample counts set by name; and `technique=a,b` the
-/// selection, in which those selected before keep their parameters.
-/// Relative paths of height maps are taken from the configuration file's folder when they exist there, else from the
-/// working directory; those of overrides from the working directory. run.json of an earlier run is taken too.
+/// axis, and take it out of its zip; a parameter wherever it is set; `sample_count` also the sample counts set by name;
+/// and `technique=a,b` the selection, in which those selected before keep their parameters. Relative paths of height
+/// maps are taken from the configuration file's folder when they exist there, else from the working directory; those of
+/// overrides from the working directory. run.json of an earlier run is taken too.
 Configuration read_configuration(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                                  const std::vector<Manifest>& techniques);
 

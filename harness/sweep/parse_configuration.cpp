@@ -116,6 +116,13 @@ void override_techniques(const Override& given, Configuration& configuration, co
     configuration.techniques = std::move(selected);
 }
 
+/// The values hold for all that the axis was tied to; a zip of one axis ties nothing.
+void untie(const std::string& axis, Configuration& configuration) {
+    for (std::vector<std::string>& names : configuration.zip)
+        std::erase(names, axis);
+    std::erase_if(configuration.zip, [](const std::vector<std::string>& names) { return names.size() < 2; });
+}
+
 /// The axis takes the place of whatever set the same before.
 void override_axis(const Override& given, Configuration& configuration, const ManifestIndex& manifests) {
     for (TechniqueSelection& selection : configuration.techniques) {
@@ -129,6 +136,7 @@ void override_axis(const Override& given, Configuration& configuration, const Ma
         const JsonView view(value, given.argument, given.name);
         axis.values.push_back(given.name == "heightmap" ? resolve_height_map_paths(view, {"."}) : value);
     }
+    untie(given.name, configuration);
     const auto earlier = std::ranges::find(configuration.axes, given.name, &Axis::name);
     if (earlier == configuration.axes.end()) {
         configuration.axes.push_back(std::move(axis));
@@ -223,6 +231,8 @@ Configuration parse_configuration(const Json& json, const std::string& file, con
     const JsonView whole(json, file);
     const bool is_run = json.is_object() && json.contains("configuration") && json.at("configuration").is_object();
     Configuration configuration = read(is_run ? whole.at("configuration") : whole, manifests);
+    // As it stands in the file, before overrides hide what is wrong with it.
+    plan_sweep(configuration, techniques);
     apply_overrides(overrides, configuration, manifests);
     plan_sweep(configuration, techniques);
     warn_of_sizes_of_files(configuration);

@@ -239,6 +239,20 @@ TEST(Overrides, OfAParameterReplaceItWhereverItIsSet) {
                 ElementsAre("tree max_steps=20 | heightmap=rock", "march max_steps=20 min_steps=5 | heightmap=rock"));
 }
 
+TEST(Overrides, OfATiedAxisHoldForAllThatItWasTiedTo) {
+    const std::string text = with(R"("axes": {"heightmap": ["rock", "bricks", "rock"], "view_angle": [0, 30, 60],
+        "tiling": [1, 2, 2]}, "zip": [["heightmap", "view_angle", "tiling"]])",
+                                  R"(["plain"])");
+    EXPECT_THAT(ids(parse(text)),
+                ElementsAre("plain | heightmap=rock", "plain | heightmap=bricks view_angle=30 tiling=2",
+                            "plain | heightmap=rock view_angle=60 tiling=2"));
+    EXPECT_THAT(ids(parse(text, {"view_angle=60"})),
+                ElementsAre("plain | heightmap=rock view_angle=60", "plain | heightmap=bricks view_angle=60 tiling=2",
+                            "plain | heightmap=rock view_angle=60 tiling=2"));
+    EXPECT_THAT(ids(parse(text, {"view_angle=5", "heightmap=rock"})),
+                ElementsAre("plain | heightmap=rock view_angle=5", "plain | heightmap=rock view_angle=5 tiling=2"));
+}
+
 TEST(Overrides, OfTechniquesKeepTheParametersOfThoseSelectedBefore) {
     const std::string text = with(R"("axes": {"heightmap": "rock"})",
                                   R"(["plain", {"technique": "tree", "parameters": {"leaf": "linear"}}])");
