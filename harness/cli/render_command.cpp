@@ -173,7 +173,8 @@ void add_render_command(CLI::App& app, ChosenCommand& chosen) {
     command->footer(
         ".png: the technique's picture, the truth's, and the error map, from left to right. The error map shows the\n"
         "UV error in texels on a logarithmic scale in the colours of magma: black up to 0.01, pale yellow from 10.\n"
-        "Blue: missed (the truth hits, the technique does not). Green: false hit. Grey: no relief in either.\n"
+        "Blue: missed (the truth hits, the technique does not). Cyan: the same outside the flat quad, where only real\n"
+        "geometry can draw. Green: false hit. Grey: no relief in either.\n"
         ".exr: float channels hit.u hit.v hit.h hit.t, taps, truth.u truth.v truth.h truth.t, color.R color.G "
         "color.B,\n"
         "truth_color.R truth_color.G truth_color.B; u and v in patch coordinates, t the distance from the eye (for\n"

@@ -25,6 +25,9 @@ public:
     int repeats() const { return repeats_; }
 
 private:
+    /// Milliseconds of all draws together.
+    double draw_unrecorded(int samples, int repeats);
+
     TimeDraw time_draw_;
     SamplingSettings settings_;
     int repeats_ = 1;

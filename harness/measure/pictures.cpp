@@ -15,6 +15,7 @@ namespace {
 constexpr double smallest_error_texels = 0.01;
 constexpr double largest_error_texels = 10;
 constexpr std::array<float, 3> missed_colour{0.1F, 0.35F, 1.0F};
+constexpr std::array<float, 3> outside_quad_colour{0.0F, 0.75F, 0.85F};
 constexpr std::array<float, 3> false_hit_colour{0.1F, 0.8F, 0.2F};
 constexpr std::array<float, 3> nothing_colour{0.3F, 0.3F, 0.3F};
 constexpr std::array<float, 3> separator_colour{1.0F, 1.0F, 1.0F};
@@ -62,7 +63,7 @@ RasterFile error_picture(const HitImage& hits, const Truth& truth, const HeightM
         if (hit && truth_hit) {
             set_pixel(raster, pixel, error_colour(errors.texels[pixel]));
         } else if (truth_hit) {
-            set_pixel(raster, pixel, missed_colour);
+            set_pixel(raster, pixel, truth.footprint.texels[pixel] != 0 ? missed_colour : outside_quad_colour);
         } else {
             set_pixel(raster, pixel, hit ? false_hit_colour : nothing_colour);
         }

@@ -16,7 +16,8 @@ namespace reliefbench {
 RasterFile display_picture(const Image<std::array<float, 3>>& linear);
 
 /// UV error of each pixel in texels on a logarithmic scale from 0.01 (dark) to 10 (light) in the colours of magma.
-/// Blue: missed (truth hits, the technique does not). Green: false hit. Grey: neither hits.
+/// Blue: missed (truth hits, the technique does not). Cyan: the same outside the footprint, where only real geometry
+/// can draw. Green: false hit. Grey: neither hits.
 RasterFile error_picture(const HitImage& hits, const Truth& truth, const HeightMap& map, const Relief& relief);
 
 /// The float layers hit.{u,v,h,t}, taps, truth.{u,v,h,t}, color.{R,G,B} and truth_color.{R,G,B}: patch coordinates,

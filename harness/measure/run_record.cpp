@@ -1,5 +1,6 @@
 #include "measure/run_record.hpp"
 
+#include "core/statistics.hpp"
 #include "gpu/device.hpp"
 #include "store/environment.hpp"
 #include "technique/renderer.hpp"
@@ -63,6 +64,17 @@ Json filter_deviations(const gpu::Device& device, const std::vector<HeightMapRec
     return json;
 }
 
+/// What timing costs by itself: a baseline that is reported, never subtracted.
+Json empty_pass_record(const gpu::Device& device) {
+    constexpr int samples = 21;
+    const std::vector<double> milliseconds = time_empty_pass(device, samples);
+    Json json;
+    json["median_ms"] = median(milliseconds);
+    json["mad_ms"] = median_absolute_deviation(milliseconds);
+    json["n"] = samples;
+    return json;
+}
+
 }  // namespace
 
 Json make_run_record(const RunSubject& subject) {
@@ -72,6 +84,7 @@ Json make_run_record(const RunSubject& subject) {
     record["device"] = device_record(subject.device.info());
     record["techniques"] = technique_hashes(subject.library, subject.cells);
     record["height_maps"] = height_map_records(subject.height_maps);
+    record["empty_pass"] = empty_pass_record(subject.device);
     record["filter_deviation"] = filter_deviations(subject.device, subject.height_maps);
     return record;
 }

@@ -73,8 +73,8 @@ TEST_F(EndToEnd, SmokeRunsValidatesAndRepeats) {
     EXPECT_EQ(samples, cells.size() * 4);
 
     const Json record = Json::parse(read_file(path("first/run.json")));
-    for (const char* key :
-         {"configuration", "environment", "device", "techniques", "height_maps", "filter_deviation", "command_line"}) {
+    for (const char* key : {"configuration", "environment", "device", "techniques", "height_maps", "filter_deviation",
+                            "empty_pass", "command_line"}) {
         EXPECT_TRUE(record.contains(key)) << key;
     }
     EXPECT_EQ(record.at("techniques").size(), 7U);

@@ -31,7 +31,7 @@ SamplingSettings settings(int warm_up, double minimum_pass_ms) {
 }
 
 TEST(DrawSubject, ALongDrawIsTimedOnce) {
-    FakeDraw draw{{5.0}, {}};
+    FakeDraw draw{{10.0}, {}};
     DrawSubject subject(std::ref(draw), settings(3, 0.5));
     subject.warm_up();
     EXPECT_EQ(subject.repeats(), 1);
@@ -53,6 +53,21 @@ TEST(DrawSubject, RepeatsGrowWhenTheDeviceSpeedsUp) {
     DrawSubject subject(std::ref(draw), settings(1, 1.0));
     subject.warm_up();
     EXPECT_EQ(subject.repeats(), 4);
+}
+
+TEST(DrawSubject, WarmsUpLongEnoughForTheClockToRise) {
+    FakeDraw draw{{0.5}, {}};
+    DrawSubject subject(std::ref(draw), settings(2, 1.0));
+    subject.warm_up();
+    // Two draws, a guess of one, a pass of two: 2.5 ms. The 17.5 ms that are missing take 18 passes of 1 ms.
+    EXPECT_THAT(draw.calls, ElementsAre(std::pair(2, 1), std::pair(1, 1), std::pair(1, 2), std::pair(18, 2)));
+}
+
+TEST(DrawSubject, ConfiguredWithoutWarmUpFindsTheRepeatsOnly) {
+    FakeDraw draw{{0.5}, {}};
+    DrawSubject subject(std::ref(draw), settings(0, 0.0));
+    subject.warm_up();
+    EXPECT_THAT(draw.calls, ElementsAre(std::pair(1, 1)));
 }
 
 TEST(DrawSubject, ADrawTooShortForTheClockIsRepeatedABoundedNumberOfTimes) {

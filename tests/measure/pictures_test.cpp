@@ -47,21 +47,26 @@ TEST(Pictures, ErrorMapTellsErrorsMissesAndFalseHitsApart) {
     const HeightMap map = make_height_map(Image<float>({100, 100}, 0.5F), HeightFormat::r16, "flat");
     const Hit here{0.5F, 0.5F, 0.5F, 1.0F};
     Truth truth;
-    truth.hits = HitImage({6, 1}, here);
+    truth.hits = HitImage({7, 1}, here);
+    truth.footprint = Image<std::uint8_t>({7, 1}, 1);
+    truth.footprint.at(6, 0) = 0;
     truth.hits.at(4, 0) = Hit{};
     truth.hits.at(5, 0) = Hit{};
-    HitImage hits({6, 1}, here);
+    HitImage hits({7, 1}, here);
     hits.at(1, 0).u += 0.001F;  // a tenth of a texel
     hits.at(2, 0).u += 0.2F;    // twenty texels
     hits.at(3, 0) = Hit{};
     hits.at(5, 0) = Hit{};
+    hits.at(6, 0) = Hit{};
     const RasterFile picture = error_picture(hits, truth, map, Relief{});
     EXPECT_LT(brightness(pixel(picture, 0, 0)), brightness(pixel(picture, 1, 0)));
     EXPECT_LT(brightness(pixel(picture, 1, 0)), brightness(pixel(picture, 2, 0)));
     const std::array<float, 3> missed = pixel(picture, 3, 0);
     const std::array<float, 3> false_hit = pixel(picture, 4, 0);
     const std::array<float, 3> nothing = pixel(picture, 5, 0);
-    EXPECT_GT(missed[2], std::max(missed[0], missed[1])) << "missed is blue";
+    const std::array<float, 3> outside = pixel(picture, 6, 0);
+    EXPECT_GT(missed[2], 2 * std::max(missed[0], missed[1])) << "missed is blue";
+    EXPECT_GT(std::min(outside[1], outside[2]), 2 * outside[0]) << "missed outside the quad is cyan";
     EXPECT_GT(false_hit[1], std::max(false_hit[0], false_hit[2])) << "a false hit is green";
     EXPECT_TRUE(nothing[0] == nothing[1] && nothing[1] == nothing[2]) << "nothing is grey";
 }
