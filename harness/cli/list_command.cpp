@@ -72,21 +72,21 @@ ExitCode list_height_maps() {
 void add_list_command(CLI::App& app, ChosenCommand& chosen) {
     CLI::App* list = app.add_subcommand("list", "List what there is to choose from");
     list->require_subcommand(1);
-    list->footer("Example: reliefbench list techniques");
+    list->footer("Example: reliefbench list techniques\n");
 
     const auto options = std::make_shared<TechniqueOptions>();
     CLI::App* techniques = list->add_subcommand(
         "techniques", "Techniques: id, title (kind); parameters with default, values and meaning; promises");
-    techniques->footer("Example: reliefbench list techniques --techniques my_techniques");
+    techniques->footer("Example: reliefbench list techniques --techniques my_techniques\n");
     options->add_to(*techniques);
     techniques->callback([&chosen, options] { chosen = [options] { return list_techniques(*options); }; });
 
     CLI::App* devices = list->add_subcommand("devices", "Vulkan devices: index, name (type, driver, version)");
-    devices->footer("Example: reliefbench list devices");
+    devices->footer("Example: reliefbench list devices\n");
     devices->callback([&chosen] { chosen = list_devices; });
 
     CLI::App* height_maps = list->add_subcommand("heightmaps", "Procedural height maps");
-    height_maps->footer("Example: reliefbench list heightmaps");
+    height_maps->footer("Example: reliefbench list heightmaps\n");
     height_maps->callback([&chosen] { chosen = list_height_maps; });
 }
 

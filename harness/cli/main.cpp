@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer(
         "Exit codes: 0 done; 2 usage, configuration or input error; 4 some cells or checks failed; 5 internal error.\n"
-        "`reliefbench COMMAND --help` shows the options of a command and an example.");
+        "`reliefbench COMMAND --help` shows the options of a command and an example.\n");
     ChosenCommand chosen;
     add_list_command(app, chosen);
     add_run_command(app, chosen, {argv, argv + argc});

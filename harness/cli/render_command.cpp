@@ -179,7 +179,7 @@ void add_render_command(CLI::App& app, ChosenCommand& chosen) {
         "color.B,\n"
         "truth_color.R truth_color.G truth_color.B; u and v in patch coordinates, t the distance from the eye (for\n"
         "parallel rays from the plane z = 0), t = -1 and zeros for a miss, colours linear.\n"
-        "Example: reliefbench render --technique pom --set max_steps=64 -a view_angle=75 -o picture.png");
+        "Example: reliefbench render --technique pom --set max_steps=64 -a view_angle=75 -o picture.png\n");
     command->callback([&chosen, options] { chosen = [options] { return render(*options); }; });
 }
 

@@ -136,7 +136,7 @@ void add_run_command(CLI::App& app, ChosenCommand& chosen, const std::vector<std
     options->device.add_to(*command);
     command->footer(
         "The table goes to standard output, progress to standard error. Exit code 4 when some cells failed.\n"
-        "Example: reliefbench run configs/quick.json -a view_angle=0,60 --filter technique=pom,qdm -o results/mine");
+        "Example: reliefbench run configs/quick.json -a view_angle=0,60 --filter technique=pom,qdm -o results/mine\n");
     command->callback([&chosen, options] { chosen = [options] { return run(*options); }; });
 }
 

@@ -66,7 +66,7 @@ void add_verify_command(CLI::App& app, ChosenCommand& chosen) {
     options->device.add_to(*command);
     command->footer(
         "Exit code 0 when every check passes, 4 when one fails.\n"
-        "Example: reliefbench verify --technique my_march --techniques my_techniques");
+        "Example: reliefbench verify --technique my_march --techniques my_techniques\n");
     command->callback([&chosen, options] { chosen = [options] { return verify(*options); }; });
 }
 

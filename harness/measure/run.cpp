@@ -9,6 +9,7 @@
 #include "measure/rounds.hpp"
 #include "measure/shared_inputs.hpp"
 #include "measure/stopping_rule.hpp"
+#include "measure/time_estimate.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -26,6 +27,11 @@ double total_ms(const std::vector<double>& samples) {
     return sum;
 }
 
+std::size_t cells_to_measure(const std::vector<Cell>& cells) {
+    return static_cast<std::size_t>(
+        std::count_if(cells.begin(), cells.end(), [](const Cell& cell) { return cell.skip_reason.empty(); }));
+}
+
 /// One execution of run_cells.
 class Execution {
 public:
@@ -40,6 +46,7 @@ public:
           on_progress_(on_progress),
           clock_(clock),
           start_s_(clock.seconds()),
+          estimate_(cells_to_measure(cells), configuration.sampling.rounds),
           inputs_(device, configuration.lighting, configuration.truth),
           results_(cells.size()) {}
 
@@ -74,8 +81,13 @@ private:
         std::vector<ReadyCell> ready;
         ready.reserve(block.cells.size());
         for (std::size_t index : block.cells) {
-            if (std::optional<ReadyCell> cell = make_ready(index)) {
+            const double begin_s = clock_.seconds();
+            std::optional<ReadyCell> cell = make_ready(index);
+            estimate_.add_preparation(clock_.seconds() - begin_s);
+            if (cell) {
                 ready.push_back(std::move(*cell));
+            } else {
+                estimate_.drop_cell(0);
             }
         }
         sample(ready, seed);
@@ -109,7 +121,6 @@ private:
         if (configuration_.images) {
             write_pictures(cell, prepared->probe);
         }
-        halves_done_ += 1;
         return ReadyCell{index, std::move(prepared->renderer), std::move(prepared->result)};
     }
 
@@ -132,6 +143,8 @@ private:
                 sampling);
             subjects.push_back(&draws.back());
         }
+        std::vector<std::size_t> visits(ready.size(), 0);
+        std::optional<double> last_visit_s;
         const auto on_visit = [&](const Visit& visit) {
             const ReadyCell& cell = ready[visit.subject];
             const int repeats = draws[visit.subject].repeats();
@@ -139,12 +152,21 @@ private:
                 writer_.append_samples({cell.result.cell, pass, visit.round, visit.order, repeats, samples});
                 split_.samples_s += total_ms(samples) * repeats / 1000.0;
             }
-            halves_done_ += 1.0 / std::max(1, sampling.rounds);
+            ++visits[visit.subject];
+            // The first one comes after all warming up.
+            const double now_s = clock_.seconds();
+            if (last_visit_s) {
+                estimate_.add_visit(now_s - *last_visit_s);
+            } else {
+                estimate_.add_untimed_visit();
+            }
+            last_visit_s = now_s;
             report(cell.result.cell);
         };
         const auto on_failure = [&](std::size_t subject, const std::string& reason) {
             ready[subject].result.status = CellStatus::failed;
             ready[subject].result.reason = reason;
+            estimate_.drop_cell(visits[subject]);
         };
         const std::vector<SampleRounds> samples = sample_in_rounds(
             subjects, *make_fixed_rule(sampling.rounds), sampling.samples_per_visit, seed, on_visit, on_failure);
@@ -169,9 +191,6 @@ private:
         CellResult result = blank_result(cells_[index]);
         result.status = status;
         result.reason = reason;
-        if (cells_[index].skip_reason.empty()) {
-            halves_done_ += 2;
-        }
         record(index, std::move(result));
     }
 
@@ -191,12 +210,7 @@ private:
         progress.cells_total = cells_.size();
         progress.current = current;
         progress.elapsed_s = clock_.seconds() - start_s_;
-        const auto to_measure = static_cast<double>(
-            std::count_if(cells_.begin(), cells_.end(), [](const Cell& cell) { return cell.skip_reason.empty(); }));
-        if (halves_done_ > 0) {
-            const double share = std::min(1.0, halves_done_ / (2 * to_measure));
-            progress.remaining_s = progress.elapsed_s * (1 - share) / share;
-        }
+        progress.remaining_s = estimate_.remaining_seconds();
         on_progress_(progress);
     }
 
@@ -208,11 +222,10 @@ private:
     const std::function<void(const Progress&)>& on_progress_;
     const Clock& clock_;
     double start_s_;
+    TimeEstimate estimate_;
     SharedInputs inputs_;
     std::vector<CellResult> results_;
     std::size_t cells_done_ = 0;
-    /// Preparing a cell is one half of its work, sampling it the other: for the estimate of the time left.
-    double halves_done_ = 0;
     TimeSplit split_;
 };
 

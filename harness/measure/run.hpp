@@ -22,7 +22,7 @@ struct Progress {
     /// Cell or stage being worked on.
     std::string current;
     double elapsed_s = 0;
-    /// Estimated from the share of work done; negative while unknown.
+    /// Estimated from what cells took so far; negative while unknown.
     double remaining_s = -1;
 };
 
