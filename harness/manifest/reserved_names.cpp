@@ -28,7 +28,7 @@ const std::vector<std::string> functions = words(
     "fma frexp ldexp length distance cross dot normalize faceforward reflect refract transpose determinant "
     "inverse equal any all not texture barrier");
 
-// What harness/shaders defines for techniques (docs/shader_contract.md), the members that its macros could meet, and
+// What harness/shaders defines for techniques (docs/adding_a_technique.md), the members that its macros could meet, and
 // what the generated preamble declares.
 const std::vector<std::string> contract = words(
     "trace prepare ray uv hit_on_ray hit_off_ray miss unconverged trace_miss trace_on_ray trace_off_ray "

@@ -269,11 +269,11 @@ TEST_F(ManifestFolder, WithoutAManifestIsAnError) {
 }
 
 TEST(ManifestDocument, ItsExampleIsAValidManifest) {
-    const std::string page = read_text_file(fs::path(RELIEFBENCH_SOURCE_DIR) / "docs" / "manifest_format.md");
+    const std::string page = read_text_file(fs::path(RELIEFBENCH_SOURCE_DIR) / "docs" / "adding_a_technique.md");
     const std::size_t begin = page.find("```jsonc\n") + 9;
     const std::string example = page.substr(begin, page.find("```", begin) - begin);
     const std::string json = std::regex_replace(example, std::regex("//[^\n]*"), "");
-    const Manifest manifest = parse_manifest(parse_json(json, "manifest_format.md"), "example", "manifest_format.md");
+    const Manifest manifest = parse_manifest(parse_json(json, "adding_a_technique.md"), "example", "adding_a_technique.md");
     EXPECT_EQ(manifest.parameters.size(), 5U);
     EXPECT_EQ(manifest.passes.size(), 2U);
 }
