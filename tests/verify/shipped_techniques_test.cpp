@@ -45,6 +45,8 @@ TEST(Promises, ShippedTechniquesMakeThese) {
         {"relief", {{"order_1", "adaptive=false", "binary_steps"}}},
         {"pom", {{"order_2", "adaptive=false", ""}}},
         {"qdm", {{"first_hit", "leaf=exact", ""}, {"conservative", "leaf=exact", ""}}},
+        {"secant",
+         {{"order_1", "adaptive=false secant_steps=0", ""}, {"order_2", "adaptive=false secant_steps=1", ""}}},
         {"tessellation", {}},
     };
     for (const auto& [id, promises] : expected)
