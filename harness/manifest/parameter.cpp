@@ -1,24 +1,15 @@
 #include "manifest/parameter.hpp"
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/suggest.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace reliefbench {
 
 namespace {
-
-template <typename Number>
-std::optional<Number> whole_text_as(const std::string& text) {
-    Number number{};
-    const char* end = text.data() + text.size();
-    const auto [stop, status] = std::from_chars(text.data(), end, number);
-    if (status != std::errc() || stop != end) return std::nullopt;
-    return number;
-}
 
 std::string expected(const Parameter& parameter) {
     switch (parameter.type) {

@@ -1,12 +1,12 @@
 #include "sweep/height_map_value.hpp"
 
+#include "core/number_text.hpp"
 #include "core/suggest.hpp"
 #include "scene/procedural.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 namespace reliefbench {
@@ -21,10 +21,8 @@ std::string base_name(const std::string& path) {
 }
 
 std::optional<int> parse_side(std::string_view text) {
-    int side = 0;
-    const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), side);
-    const bool valid = status == std::errc() && stop == text.data() + text.size() && side >= 1 && side <= largest_side;
-    return valid ? std::optional(side) : std::nullopt;
+    const std::optional<int> side = whole_text_as<int>(text);
+    return side && *side >= 1 && *side <= largest_side ? side : std::nullopt;
 }
 
 std::array<double, 2> read_height_range(const JsonView& view) {

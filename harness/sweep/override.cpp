@@ -1,8 +1,8 @@
 #include "sweep/override.hpp"
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -12,15 +12,6 @@ namespace reliefbench {
 namespace {
 
 constexpr double most_values = 100000;
-
-template <typename Number>
-std::optional<Number> whole_text_as(const std::string& text) {
-    Number number{};
-    const char* end = text.data() + text.size();
-    const auto [stop, status] = std::from_chars(text.data(), end, number);
-    if (status != std::errc() || stop != end) return std::nullopt;
-    return number;
-}
 
 /// 0.1 + 2·0.1 as 0.3: without the last digits, which would make ids of their own.
 double without_rounding_noise(double number) {
