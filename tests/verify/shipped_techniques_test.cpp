@@ -41,6 +41,7 @@ TEST(Promises, ShippedTechniquesMakeThese) {
     const std::map<std::string, std::set<PromiseText>> expected{
         {"flat", {}},
         {"parallax", {}},
+        {"iterative_parallax", {}},
         {"steep", {{"order_1", "adaptive=false", ""}}},
         {"relief", {{"order_1", "adaptive=false", "binary_steps"}}},
         {"pom", {{"order_2", "adaptive=false", ""}}},
