@@ -1,10 +1,13 @@
 #include "cli/command.hpp"
 #include "core/error.hpp"
+#include "core/suggest.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -31,6 +34,26 @@ ExitCode execute(const ChosenCommand& chosen) {
     }
 }
 
+std::vector<std::string> command_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({}))
+        names.push_back(command->get_name());
+    return names;
+}
+
+/// In place of CLI11's own words, which do not say that the first word was taken for no command.
+std::string usage_complaint(const CLI::App& app, const CLI::ParseError& error) {
+    if (app.get_subcommands().empty()) {
+        for (const std::string& word : app.remaining()) {
+            if (word.starts_with('-')) continue;
+            const std::vector<std::string> names = command_names(app);
+            return fmt::format("there is no command '{}'{}; the commands are {}", word, did_you_mean(word, names),
+                               join(names));
+        }
+    }
+    return error.what();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -50,7 +73,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         const bool asked_for_help = error.get_exit_code() == 0;
         if (!asked_for_help) {
-            fmt::print(stderr, "reliefbench: {}; see `reliefbench --help`\n", error.what());
+            fmt::print(stderr, "reliefbench: {}; see `reliefbench --help`\n", usage_complaint(app, error));
             return static_cast<int>(ExitCode::bad_input);
         }
         return app.exit(error);

@@ -225,6 +225,18 @@ TEST_F(BadInput, UsageErrorsSayWhereToLook) {
     }
 }
 
+TEST_F(BadInput, AnUnknownCommandIsNamedWithThoseThereAre) {
+    const std::string commands = "the commands are list, run, render, verify";
+    const Outcome far = reliefbench({"frobnicate", "-o", "x"});
+    EXPECT_EQ(far.code, 2);
+    EXPECT_THAT(far.err, AllOf(HasSubstr("there is no command 'frobnicate'; " + commands), HasSubstr("--help")));
+    EXPECT_TRUE(far.out.empty()) << far.out;
+    const Outcome near = reliefbench({"rum", "x.json"});
+    EXPECT_EQ(near.code, 2);
+    EXPECT_THAT(near.err, HasSubstr("there is no command 'rum' (did you mean 'run'?); " + commands));
+    EXPECT_THAT(reliefbench({}).err, testing::Not(HasSubstr("there is no command")));
+}
+
 struct BadRender {
     std::vector<std::string> arguments;
     std::string word;
