@@ -22,20 +22,9 @@ std::string quoted(const std::string& argument) {
 
 }  // namespace
 
-void CommandLine::SetUp() {
-    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) / ("reliefbench_cli_" + std::string(test->name()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-}
-
-void CommandLine::TearDown() {
-    std::filesystem::remove_all(folder_);
-}
-
 Outcome CommandLine::reliefbench(const std::vector<std::string>& arguments) const {
     // The tests' folder is the working folder, so that nothing is left in anybody else's.
-    std::string command = fmt::format("cd {} && {}", quoted(folder_.string()), quoted(RELIEFBENCH_BINARY));
+    std::string command = fmt::format("cd {} && {}", quoted(folder_.path().string()), quoted(RELIEFBENCH_BINARY));
     for (const std::string& argument : arguments) {
         command += fmt::format(" {}", quoted(argument));
     }

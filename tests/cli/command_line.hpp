@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/json.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,9 +21,6 @@ struct Outcome {
 /// Runs the built binary, with the validation layer off unless the arguments turn it on.
 class CommandLine : public testing::Test {
 protected:
-    void SetUp() override;
-    void TearDown() override;
-
     Outcome reliefbench(const std::vector<std::string>& arguments) const;
 
     /// Runs a configuration into `run/`, which must not come to be, and expects exit code 2 and a message that has all
@@ -38,7 +36,7 @@ protected:
     std::filesystem::path copy_technique(const std::string& shipped, const std::string& id) const;
 
 private:
-    std::filesystem::path folder_;
+    const TemporaryFolder folder_;
 };
 
 /// A small matrix with one shipped technique.

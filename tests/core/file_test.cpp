@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,15 +16,7 @@ namespace {
 
 class FileTest : public testing::Test {
 protected:
-    void SetUp() override {
-        folder = std::filesystem::temp_directory_path() /
-                 ("reliefbench_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-        std::filesystem::remove_all(folder);
-        std::filesystem::create_directories(folder);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder); }
-
-    std::filesystem::path folder;
+    const TemporaryFolder folder;
 };
 
 TEST_F(FileTest, WhatIsWrittenIsRead) {
@@ -36,14 +29,15 @@ TEST_F(FileTest, WhatIsWrittenIsRead) {
 
 TEST_F(FileTest, WritingLeavesNothingBeside) {
     write_text_file(folder / "a", "text");
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
 TEST_F(FileTest, ErrorsNameTheFileAndTheReason) {
     EXPECT_THAT([&] { read_text_file(folder / "missing"); },
                 testing::ThrowsMessage<Error>(
                     testing::AllOf(testing::HasSubstr("missing"), testing::HasSubstr("No such file or directory"))));
-    EXPECT_THAT([&] { read_text_file(folder); }, testing::ThrowsMessage<Error>(testing::HasSubstr("Is a directory")));
+    EXPECT_THAT([&] { read_text_file(folder.path()); },
+                testing::ThrowsMessage<Error>(testing::HasSubstr("Is a directory")));
     EXPECT_THAT([&] { write_text_file(folder / "none" / "a", "text"); },
                 testing::ThrowsMessage<Error>(testing::HasSubstr("No such file or directory")));
 }
@@ -53,7 +47,7 @@ TEST_F(FileTest, AFailedWriteKeepsTheOldFileAndLeavesNothingBeside) {
     std::filesystem::create_directories(folder / "occupied" / "inside");
     EXPECT_THROW(write_text_file(folder / "occupied", "text"), Error);
     EXPECT_TRUE(std::filesystem::is_directory(folder / "occupied" / "inside"));
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
 TEST(ContentHash, IsXxh3Of128Bits) {

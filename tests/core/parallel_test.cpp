@@ -1,6 +1,6 @@
 #include "core/parallel.hpp"
 
-#include "core/error.hpp"
+#include "support/error_message.hpp"
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ TEST(ParallelFor, NothingToDoCallsNothing) {
 std::string failure_with_late_range(std::size_t late) {
     std::atomic<bool> second_started = false;
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
-    try {
+    return error_message([&] {
         parallel_for(2, 1, [&](std::size_t range, std::size_t) {
             second_started = second_started || range == 1;
             while (!second_started && std::chrono::steady_clock::now() < deadline) {
@@ -54,10 +54,7 @@ std::string failure_with_late_range(std::size_t late) {
             if (range == late) std::this_thread::sleep_for(std::chrono::milliseconds(20));
             fail("range {}", range);
         });
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "nothing was thrown";
+    });
 }
 
 TEST(ParallelFor, TheLowestFailureIsTheOneThrown) {

@@ -1,8 +1,8 @@
 #include "gpu/device.hpp"
 
-#include "core/error.hpp"
 #include "gpu/commands.hpp"
 #include "gpu/memory.hpp"
+#include "support/error_message.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,16 +16,6 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-template <typename Action>
-std::string error_of(Action&& action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
-}
 
 /// Sets an environment variable, or unsets it, until the end of the scope.
 class ScopedVariable {
@@ -82,10 +72,10 @@ TEST(DeviceChoice, TakesIndexOrPartOfNameInAnyCase) {
 }
 
 TEST(DeviceChoice, WrongChoiceListsWhatThereIs) {
-    EXPECT_THAT(error_of([] { choose_device(machine, "radeon"); }), HasSubstr("1: Intel UHD 630 (integrated)"));
-    EXPECT_THAT(error_of([] { choose_device(machine, "4"); }), HasSubstr("no Vulkan device 4"));
-    EXPECT_THAT(error_of([] { choose_device(machine, "3"); }), HasSubstr("Vulkan 1.2.175"));
-    EXPECT_THAT(error_of([] { choose_device({machine[3]}, ""); }), HasSubstr("mesa-vulkan-drivers"));
+    EXPECT_THAT(error_message([] { choose_device(machine, "radeon"); }), HasSubstr("1: Intel UHD 630 (integrated)"));
+    EXPECT_THAT(error_message([] { choose_device(machine, "4"); }), HasSubstr("no Vulkan device 4"));
+    EXPECT_THAT(error_message([] { choose_device(machine, "3"); }), HasSubstr("Vulkan 1.2.175"));
+    EXPECT_THAT(error_message([] { choose_device({machine[3]}, ""); }), HasSubstr("mesa-vulkan-drivers"));
 }
 
 TEST(DeviceList, DescribesDevices) {
@@ -104,13 +94,13 @@ TEST(DeviceList, NoDriverNamesThePackage) {
     // Both names: older loaders know only the first.
     const ScopedVariable old_name("VK_ICD_FILENAMES", "/nowhere.json");
     const ScopedVariable new_name("VK_DRIVER_FILES", "/nowhere.json");
-    EXPECT_THAT(error_of([] { list_devices(); }), HasSubstr("apt-get install mesa-vulkan-drivers"));
-    EXPECT_THAT(error_of([] { Device device; }), HasSubstr("apt-get install mesa-vulkan-drivers"));
+    EXPECT_THAT(error_message([] { list_devices(); }), HasSubstr("apt-get install mesa-vulkan-drivers"));
+    EXPECT_THAT(error_message([] { Device device; }), HasSubstr("apt-get install mesa-vulkan-drivers"));
 }
 
 TEST(DeviceOpening, EnvironmentChoosesUnlessTold) {
     const ScopedVariable variable("RELIEFBENCH_DEVICE", "no such device");
-    EXPECT_THAT(error_of([] { Device device; }), HasSubstr("'no such device'"));
+    EXPECT_THAT(error_message([] { Device device; }), HasSubstr("'no such device'"));
     EXPECT_EQ(Device({.choice = "0", .validation = false}).info().index, 0);
 }
 
@@ -141,7 +131,7 @@ TEST(DeviceOpening, SynchronisationIsValidated) {
 TEST(DeviceOpening, TooLargeABufferIsAnError) {
     const Device device;
     constexpr vk::DeviceSize absurd = vk::DeviceSize{1} << 46;
-    EXPECT_THAT(error_of([&] { Buffer(device, absurd, vk::BufferUsageFlagBits::eTransferSrc, false); }),
+    EXPECT_THAT(error_message([&] { Buffer(device, absurd, vk::BufferUsageFlagBits::eTransferSrc, false); }),
                 HasSubstr("make a buffer of 70368744177664 bytes"));
 }
 

@@ -1,7 +1,8 @@
 #include "gpu/shader_compiler.hpp"
 
-#include "core/error.hpp"
 #include "core/file.hpp"
+#include "support/error_message.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,13 +19,10 @@ using testing::HasSubstr;
 class ShaderCompiler : public testing::Test {
 protected:
     void SetUp() override {
-        const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-        folder_ = fs::temp_directory_path() / ("reliefbench_compiler_" + name);
         for (const char* sub_folder : {"a", "b", "outside"})
             fs::create_directories(folder_ / sub_folder);
         write_text_file(folder_ / "outside" / "secret.glsl", "const int secret = 1;\n");
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     void write(const std::string& name, const std::string& text) const { write_text_file(folder_ / name, text); }
 
@@ -37,18 +35,13 @@ protected:
     }
 
     std::string error() const {
-        try {
-            compile();
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "no error";
+        return error_message([&] { compile(); });
     }
 
-    const fs::path& folder() const { return folder_; }
+    const fs::path& folder() const { return folder_.path(); }
 
 private:
-    fs::path folder_;
+    const TemporaryFolder folder_;
 };
 
 TEST_F(ShaderCompiler, FindsFilesInEveryRootAndGeneratedOnes) {

@@ -3,7 +3,8 @@
 #include "core/error.hpp"
 #include "image_writer.hpp"
 #include "scene/colour.hpp"
-#include "temporary_folder.hpp"
+#include "support/error_message.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 
@@ -14,7 +15,10 @@ namespace {
 
 using testing::HasSubstr;
 
-using AlbedoFile = TemporaryFolder;
+class AlbedoFile : public testing::Test {
+protected:
+    const TemporaryFolder folder_;
+};
 
 HeightMap small_map() {
     Image<float> heights({2, 1});
@@ -32,8 +36,8 @@ HeightMapSource with_albedo(const std::filesystem::path& path) {
 constexpr double half_a_level = 0.5 / 65535 + 1e-7;
 
 TEST_F(AlbedoFile, DecodesSrgbAndPutsTheBottomRowFirst) {
-    write_with_openimageio<std::uint8_t>(file("colour.png"), {1, 2}, 3, {255, 0, 0, 51, 102, 204});
-    const Albedo albedo = load_albedo(with_albedo(file("colour.png")), small_map());
+    write_with_openimageio<std::uint8_t>(folder_ / "colour.png", {1, 2}, 3, {255, 0, 0, 51, 102, 204});
+    const Albedo albedo = load_albedo(with_albedo(folder_ / "colour.png"), small_map());
     EXPECT_EQ(albedo.format, Albedo::Format::unorm16);
     ASSERT_EQ(albedo.texels.size, (Resolution{1, 2}));
     const auto bottom = albedo.texels.at(0, 0);
@@ -45,20 +49,20 @@ TEST_F(AlbedoFile, DecodesSrgbAndPutsTheBottomRowFirst) {
 }
 
 TEST_F(AlbedoFile, ATransparentOrGreyImageIsAColourToo) {
-    write_with_openimageio<std::uint8_t>(file("rgba.png"), {1, 1}, 4, {255, 51, 0, 0});
-    const auto clear = load_albedo(with_albedo(file("rgba.png")), small_map()).texels.at(0, 0);
+    write_with_openimageio<std::uint8_t>(folder_ / "rgba.png", {1, 1}, 4, {255, 51, 0, 0});
+    const auto clear = load_albedo(with_albedo(folder_ / "rgba.png"), small_map()).texels.at(0, 0);
     EXPECT_EQ(clear[0], 1);
     EXPECT_NEAR(clear[1], srgb_decode(0.2), half_a_level);
     EXPECT_EQ(clear[3], 1);
 
-    write_with_openimageio<std::uint8_t>(file("grey.png"), {1, 1}, 1, {51});
-    const auto grey = load_albedo(with_albedo(file("grey.png")), small_map()).texels.at(0, 0);
+    write_with_openimageio<std::uint8_t>(folder_ / "grey.png", {1, 1}, 1, {51});
+    const auto grey = load_albedo(with_albedo(folder_ / "grey.png"), small_map()).texels.at(0, 0);
     for (int channel = 0; channel < 3; ++channel)
         EXPECT_NEAR(grey[channel], srgb_decode(0.2), half_a_level);
 }
 
 TEST_F(AlbedoFile, AMissingFileIsNamed) {
-    EXPECT_THAT(message_of<Error>([&] { load_albedo(with_albedo(file("none.png")), small_map()); }),
+    EXPECT_THAT(error_message([&] { load_albedo(with_albedo(folder_ / "none.png"), small_map()); }),
                 HasSubstr("none.png"));
 }
 

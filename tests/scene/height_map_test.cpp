@@ -3,7 +3,8 @@
 #include "core/error.hpp"
 #include "image_writer.hpp"
 #include "scene/procedural.hpp"
-#include "temporary_folder.hpp"
+#include "support/error_message.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 
@@ -113,17 +114,20 @@ TEST(HeightMap, HashTellsContentSizeAndFormatApart) {
 
 TEST(HeightMap, RefusesNumbersThatAreNoHeights) {
     const auto message = [](float value) {
-        return message_of<Error>([&] { make_height_map(image({2, 1}, {0, value}), HeightFormat::r16, "bad"); });
+        return error_message([&] { make_height_map(image({2, 1}, {0, value}), HeightFormat::r16, "bad"); });
     };
     EXPECT_THAT(message(std::numeric_limits<float>::quiet_NaN()), AllOf(HasSubstr("bad"), HasSubstr("finite")));
     EXPECT_THAT(message(std::numeric_limits<float>::infinity()), HasSubstr("finite"));
     EXPECT_THAT(message(-0.01f), HasSubstr("[0, 1]"));
     EXPECT_THAT(message(1.01f), HasSubstr("[0, 1]"));
-    EXPECT_THAT(message_of<Error>([] { make_height_map(Image<float>(), HeightFormat::r16, "none"); }),
+    EXPECT_THAT(error_message([] { make_height_map(Image<float>(), HeightFormat::r16, "none"); }),
                 HasSubstr("1 to 16384"));
 }
 
-using HeightMapFile = TemporaryFolder;
+class HeightMapFile : public testing::Test {
+protected:
+    const TemporaryFolder folder_;
+};
 
 HeightMapSource source_of(const std::filesystem::path& path) {
     HeightMapSource source;
@@ -132,8 +136,8 @@ HeightMapSource source_of(const std::filesystem::path& path) {
 }
 
 TEST_F(HeightMapFile, BottomRowOfTheImageIsRowZero) {
-    write_with_openimageio<std::uint8_t>(file("rows.png"), {2, 3}, 1, {255, 204, 153, 102, 51, 0});
-    const HeightMap map = load_height_map(source_of(file("rows.png")), HeightFormat::r8);
+    write_with_openimageio<std::uint8_t>(folder_ / "rows.png", {2, 3}, 1, {255, 204, 153, 102, 51, 0});
+    const HeightMap map = load_height_map(source_of(folder_ / "rows.png"), HeightFormat::r8);
     EXPECT_THAT(map.heights.texels, ElementsAre(0.2f, 0.0f, 0.6f, 0.4f, 1.0f, 0.8f));
     EXPECT_DOUBLE_EQ(map.sample(0.25, 1.0 / 6), 0.2f);
     EXPECT_EQ(map.name, "rows.png");
@@ -145,16 +149,16 @@ TEST_F(HeightMapFile, SixteenBitsKeepAllTheirValues) {
     std::vector<std::uint16_t> every(65536);
     for (std::size_t value = 0; value < every.size(); ++value)
         every[value] = static_cast<std::uint16_t>(value);
-    write_with_openimageio(file("every.png"), {256, 256}, 1, every);
-    const HeightMap map = load_height_map(source_of(file("every.png")), HeightFormat::r16);
+    write_with_openimageio(folder_ / "every.png", {256, 256}, 1, every);
+    const HeightMap map = load_height_map(source_of(folder_ / "every.png"), HeightFormat::r16);
     for (int value = 0; value < 65536; ++value) {
         ASSERT_EQ(map.texel(value % 256, 255 - value / 256), static_cast<float>(value / 65535.0)) << value;
     }
 }
 
 TEST_F(HeightMapFile, ChannelIsChosenAndAlphaIsANumberLikeAnother) {
-    write_with_openimageio<std::uint8_t>(file("rgba.png"), {1, 2}, 4, {255, 204, 153, 51, 0, 51, 102, 0});
-    HeightMapSource source = source_of(file("rgba.png"));
+    write_with_openimageio<std::uint8_t>(folder_ / "rgba.png", {1, 2}, 4, {255, 204, 153, 51, 0, 51, 102, 0});
+    HeightMapSource source = source_of(folder_ / "rgba.png");
     const std::vector<std::vector<float>> expected{{0, 1}, {0.2f, 0.8f}, {0.4f, 0.6f}, {0, 0.2f}};
     const std::vector<std::string> names{"R", "G", "B", "A"};
     for (source.channel = 0; source.channel < 4; ++source.channel) {
@@ -163,14 +167,14 @@ TEST_F(HeightMapFile, ChannelIsChosenAndAlphaIsANumberLikeAnother) {
         EXPECT_EQ(map.mapping, "channel " + names[source.channel]);
     }
     for (source.channel = -1; source.channel < 6; source.channel += 5) {
-        EXPECT_THAT(message_of<Error>([&] { load_height_map(source, HeightFormat::r8); }),
+        EXPECT_THAT(error_message([&] { load_height_map(source, HeightFormat::r8); }),
                     AllOf(HasSubstr("rgba.png"), HasSubstr("no channel"), HasSubstr("R, G, B, A")));
     }
 }
 
 TEST_F(HeightMapFile, InvertTurnsHeightsOver) {
-    write_with_openimageio<std::uint8_t>(file("map.png"), {3, 1}, 1, {0, 51, 255});
-    HeightMapSource source = source_of(file("map.png"));
+    write_with_openimageio<std::uint8_t>(folder_ / "map.png", {3, 1}, 1, {0, 51, 255});
+    HeightMapSource source = source_of(folder_ / "map.png");
     source.invert = true;
     const HeightMap map = load_height_map(source, HeightFormat::r8);
     EXPECT_THAT(map.heights.texels, ElementsAre(1.0f, 0.8f, 0.0f));
@@ -178,8 +182,8 @@ TEST_F(HeightMapFile, InvertTurnsHeightsOver) {
 }
 
 TEST_F(HeightMapFile, NormalizeStretchesToTheWholeRange) {
-    write_with_openimageio<float>(file("map.exr"), {3, 1}, 1, {-2, 0, 6});
-    HeightMapSource source = source_of(file("map.exr"));
+    write_with_openimageio<float>(folder_ / "map.exr", {3, 1}, 1, {-2, 0, 6});
+    HeightMapSource source = source_of(folder_ / "map.exr");
     source.normalize = true;
     const HeightMap map = load_height_map(source, HeightFormat::r32f);
     EXPECT_THAT(map.heights.texels, ElementsAre(0.0f, 0.25f, 1.0f));
@@ -187,8 +191,8 @@ TEST_F(HeightMapFile, NormalizeStretchesToTheWholeRange) {
 }
 
 TEST_F(HeightMapFile, HeightRangeMapsAndClamps) {
-    write_with_openimageio<float>(file("map.exr"), {4, 1}, 1, {-5, 1, 2, 9});
-    HeightMapSource source = source_of(file("map.exr"));
+    write_with_openimageio<float>(folder_ / "map.exr", {4, 1}, 1, {-5, 1, 2, 9});
+    HeightMapSource source = source_of(folder_ / "map.exr");
     source.height_range = {0, 4};
     EXPECT_THAT(load_height_map(source, HeightFormat::r32f).heights.texels, ElementsAre(0.0f, 0.25f, 0.5f, 1.0f));
     source.invert = true;
@@ -198,9 +202,9 @@ TEST_F(HeightMapFile, HeightRangeMapsAndClamps) {
 }
 
 TEST_F(HeightMapFile, RefusesOptionsThatMakeNoSense) {
-    write_with_openimageio<float>(file("map.exr"), {2, 1}, 1, {0, 1});
-    HeightMapSource source = source_of(file("map.exr"));
-    const auto message = [&] { return message_of<Error>([&] { load_height_map(source, HeightFormat::r16); }); };
+    write_with_openimageio<float>(folder_ / "map.exr", {2, 1}, 1, {0, 1});
+    HeightMapSource source = source_of(folder_ / "map.exr");
+    const auto message = [&] { return error_message([&] { load_height_map(source, HeightFormat::r16); }); };
     source.height_range = {1, 1};
     EXPECT_THAT(message(), HasSubstr("height_range"));
     source.height_range = {1, 0};
@@ -214,21 +218,21 @@ TEST_F(HeightMapFile, RefusesOptionsThatMakeNoSense) {
     HeightMapSource procedural;
     procedural.name = "bricks";
     procedural.invert = true;
-    EXPECT_THAT(message_of<Error>([&] { load_height_map(procedural, HeightFormat::r16); }), HasSubstr("procedural"));
+    EXPECT_THAT(error_message([&] { load_height_map(procedural, HeightFormat::r16); }), HasSubstr("procedural"));
 }
 
 TEST_F(HeightMapFile, RefusesValuesOutsideTheRangeThatNothingMaps) {
-    write_with_openimageio<float>(file("map.exr"), {2, 1}, 1, {0.5f, 1.25f});
-    EXPECT_THAT(message_of<Error>([&] { load_height_map(source_of(file("map.exr")), HeightFormat::r16); }),
+    write_with_openimageio<float>(folder_ / "map.exr", {2, 1}, 1, {0.5f, 1.25f});
+    EXPECT_THAT(error_message([&] { load_height_map(source_of(folder_ / "map.exr"), HeightFormat::r16); }),
                 AllOf(HasSubstr("map.exr"), HasSubstr("1.25"), HasSubstr("height_range"), HasSubstr("normalize")));
 }
 
 TEST_F(HeightMapFile, RefusesNaNAndInfinity) {
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity()}) {
-        write_with_openimageio<float>(file("map.exr"), {2, 2}, 1, {0, 0.5f, bad, 1});
-        HeightMapSource source = source_of(file("map.exr"));
+        write_with_openimageio<float>(folder_ / "map.exr", {2, 2}, 1, {0, 0.5f, bad, 1});
+        HeightMapSource source = source_of(folder_ / "map.exr");
         for (source.normalize = false;; source.normalize = true) {
-            EXPECT_THAT(message_of<Error>([&] { load_height_map(source, HeightFormat::r16); }),
+            EXPECT_THAT(error_message([&] { load_height_map(source, HeightFormat::r16); }),
                         AllOf(HasSubstr("map.exr"), HasSubstr("finite"), HasSubstr("column 0, row 0")));
             if (source.normalize) break;
         }
@@ -236,17 +240,17 @@ TEST_F(HeightMapFile, RefusesNaNAndInfinity) {
 }
 
 TEST_F(HeightMapFile, RefusesFilesThatCannotBeRead) {
-    std::ofstream(file("text.png")) << "not an image\n";
-    EXPECT_THAT(message_of<Error>([&] { load_height_map(source_of(file("text.png")), HeightFormat::r16); }),
+    std::ofstream(folder_ / "text.png") << "not an image\n";
+    EXPECT_THAT(error_message([&] { load_height_map(source_of(folder_ / "text.png"), HeightFormat::r16); }),
                 HasSubstr("text.png"));
-    write_with_openimageio<std::uint8_t>(file("wide.png"), {16385, 1}, 1, std::vector<std::uint8_t>(16385));
-    EXPECT_THAT(message_of<Error>([&] { load_height_map(source_of(file("wide.png")), HeightFormat::r16); }),
+    write_with_openimageio<std::uint8_t>(folder_ / "wide.png", {16385, 1}, 1, std::vector<std::uint8_t>(16385));
+    EXPECT_THAT(error_message([&] { load_height_map(source_of(folder_ / "wide.png"), HeightFormat::r16); }),
                 AllOf(HasSubstr("wide.png"), HasSubstr("16384")));
 }
 
 TEST_F(HeightMapFile, AConstantMapIsAWarning) {
-    write_with_openimageio<std::uint8_t>(file("flat.png"), {2, 2}, 1, {51, 51, 51, 51});
-    HeightMapSource source = source_of(file("flat.png"));
+    write_with_openimageio<std::uint8_t>(folder_ / "flat.png", {2, 2}, 1, {51, 51, 51, 51});
+    HeightMapSource source = source_of(folder_ / "flat.png");
     testing::internal::CaptureStderr();
     const HeightMap map = load_height_map(source, HeightFormat::r8);
     EXPECT_THAT(testing::internal::GetCapturedStderr(), AllOf(HasSubstr("warning"), HasSubstr("flat.png")));
@@ -259,7 +263,7 @@ TEST_F(HeightMapFile, AConstantMapIsAWarning) {
 
 TEST(HeightMapName, AnUnknownOneIsAnErrorThatHelps) {
     HeightMapSource source;
-    const auto message = [&] { return message_of<Error>([&] { load_height_map(source, HeightFormat::r16); }); };
+    const auto message = [&] { return error_message([&] { load_height_map(source, HeightFormat::r16); }); };
     source.name = "cobles";
     EXPECT_THAT(message(), AllOf(HasSubstr("did you mean 'cobbles'?"), HasSubstr("waves")));
     source.name = "no/such/map.png";
@@ -271,7 +275,7 @@ TEST(HeightMapName, ProceduralSizesAreChecked) {
     source.name = "rock";
     for (const Resolution size : {Resolution{0, 8}, Resolution{8, -1}, Resolution{16385, 8}}) {
         source.size = size;
-        EXPECT_THAT(message_of<Error>([&] { load_height_map(source, HeightFormat::r16); }), HasSubstr("1 to 16384"));
+        EXPECT_THAT(error_message([&] { load_height_map(source, HeightFormat::r16); }), HasSubstr("1 to 16384"));
     }
     source.size = {24, 10};
     const HeightMap map = load_height_map(source, HeightFormat::r16);

@@ -2,7 +2,8 @@
 
 #include "core/error.hpp"
 #include "image_writer.hpp"
-#include "temporary_folder.hpp"
+#include "support/error_message.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 
@@ -20,7 +21,10 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-using ImageFile = TemporaryFolder;
+class ImageFile : public testing::Test {
+protected:
+    const TemporaryFolder folder_;
+};
 
 void truncate_file(const std::filesystem::path& path, double share) {
     const auto size = static_cast<double>(std::filesystem::file_size(path));
@@ -39,28 +43,28 @@ RasterFile ramp(Resolution size, std::vector<std::string> names) {
 }
 
 TEST_F(ImageFile, DividesIntegersByTheirMaximum) {
-    write_with_openimageio<std::uint8_t>(file("8.png"), {2, 2}, 1, {0, 51, 204, 255});
-    const RasterFile bytes = read_raster_file(file("8.png"));
+    write_with_openimageio<std::uint8_t>(folder_ / "8.png", {2, 2}, 1, {0, 51, 204, 255});
+    const RasterFile bytes = read_raster_file(folder_ / "8.png");
     EXPECT_EQ(bytes.bits, 8);
     EXPECT_EQ(bytes.size, (Resolution{2, 2}));
     EXPECT_THAT(bytes.values, ElementsAre(0.0f, 0.2f, 0.8f, 1.0f));
 
-    write_with_openimageio<std::uint16_t>(file("16.png"), {2, 1}, 1, {13107, 65535});
-    const RasterFile words = read_raster_file(file("16.png"));
+    write_with_openimageio<std::uint16_t>(folder_ / "16.png", {2, 1}, 1, {13107, 65535});
+    const RasterFile words = read_raster_file(folder_ / "16.png");
     EXPECT_EQ(words.bits, 16);
     EXPECT_THAT(words.values, ElementsAre(0.2f, 1.0f));
 }
 
 TEST_F(ImageFile, KeepsFloatsAsTheyAre) {
-    write_with_openimageio<float>(file("float.exr"), {2, 2}, 1, {-3.5f, 0.1f, 1.0f, 1e20f});
-    const RasterFile raster = read_raster_file(file("float.exr"));
+    write_with_openimageio<float>(folder_ / "float.exr", {2, 2}, 1, {-3.5f, 0.1f, 1.0f, 1e20f});
+    const RasterFile raster = read_raster_file(folder_ / "float.exr");
     EXPECT_EQ(raster.bits, 32);
     EXPECT_THAT(raster.values, ElementsAre(-3.5f, 0.1f, 1.0f, 1e20f));
 }
 
 TEST_F(ImageFile, DoesNotMultiplyColourByAlpha) {
-    write_with_openimageio<std::uint8_t>(file("rgba.png"), {1, 2}, 4, {255, 51, 0, 0, 204, 255, 51, 51});
-    const RasterFile raster = read_raster_file(file("rgba.png"));
+    write_with_openimageio<std::uint8_t>(folder_ / "rgba.png", {1, 2}, 4, {255, 51, 0, 0, 204, 255, 51, 51});
+    const RasterFile raster = read_raster_file(folder_ / "rgba.png");
     EXPECT_THAT(raster.channel_names, ElementsAre("R", "G", "B", "A"));
     EXPECT_THAT(raster.values, ElementsAre(1.0f, 0.2f, 0.0f, 0.0f, 0.8f, 1.0f, 0.2f, 0.2f));
 }
@@ -68,8 +72,8 @@ TEST_F(ImageFile, DoesNotMultiplyColourByAlpha) {
 TEST_F(ImageFile, ExrKeepsNamedChannels) {
     const RasterFile written =
         ramp({5, 3}, {"hit.u", "hit.v", "hit.h", "hit.t", "taps", "color.R", "color.G", "color.B"});
-    write_raster_file(file("layers.exr"), written);
-    const RasterFile read = read_raster_file(file("layers.exr"));
+    write_raster_file(folder_ / "layers.exr", written);
+    const RasterFile read = read_raster_file(folder_ / "layers.exr");
     EXPECT_EQ(read.size, written.size);
     ASSERT_EQ(read.channels(), written.channels());
     for (int from = 0; from < written.channels(); ++from) {
@@ -85,22 +89,22 @@ TEST_F(ImageFile, ExrKeepsNamedChannels) {
 TEST_F(ImageFile, PngClampsAndRoundsToEightBits) {
     RasterFile raster = ramp({4, 1}, {"R", "G", "B"});
     raster.values = {-1, 0, 0.5f, 1, 2, 0.2f, 0.2f / 255, 0.6f / 255, 1, 0, 0, 0};
-    write_raster_file(file("picture.png"), raster);
-    const RasterFile read = read_raster_file(file("picture.png"));
+    write_raster_file(folder_ / "picture.png", raster);
+    const RasterFile read = read_raster_file(folder_ / "picture.png");
     EXPECT_EQ(read.bits, 8);
     EXPECT_THAT(read.values, ElementsAre(0, 0, 128 / 255.0f, 1, 1, 51 / 255.0f, 0, 1 / 255.0f, 1, 0, 0, 0));
 }
 
 TEST_F(ImageFile, LeavesNothingBesideWhatItWrote) {
-    write_raster_file(file("picture.png"), ramp({4, 4}, {"R", "G", "B"}));
-    const std::filesystem::directory_iterator files(file("picture.png").parent_path());
+    write_raster_file(folder_ / "picture.png", ramp({4, 4}, {"R", "G", "B"}));
+    const std::filesystem::directory_iterator files(folder_.path());
     EXPECT_EQ(std::distance(begin(files), end(files)), 1);
 }
 
 TEST_F(ImageFile, RefusesToWriteWhatItCannot) {
     const RasterFile raster = ramp({2, 2}, {"R", "G", "B"});
     const auto message = [&](const std::string& name, const RasterFile& what) {
-        return message_of<Error>([&] { write_raster_file(file(name), what); });
+        return error_message([&] { write_raster_file(folder_ / name, what); });
     };
     EXPECT_THAT(message("picture.jpg", raster), AllOf(HasSubstr("picture.jpg"), HasSubstr(".exr")));
     EXPECT_THAT(message("no/such/folder/picture.png", raster), HasSubstr("no/such/folder/picture.png"));
@@ -109,14 +113,14 @@ TEST_F(ImageFile, RefusesToWriteWhatItCannot) {
 
 TEST_F(ImageFile, NamesWhatIsWrongWithAFile) {
     const auto message = [&](const std::string& name) {
-        return message_of<Error>([&] { read_raster_file(file(name)); });
+        return error_message([&] { read_raster_file(folder_ / name); });
     };
     EXPECT_THAT(message("missing.png"), AllOf(HasSubstr("missing.png"), HasSubstr("no such file")));
-    EXPECT_THAT(message_of<Error>([&] { read_raster_file(file("x.png").parent_path()); }), HasSubstr("not a file"));
+    EXPECT_THAT(error_message([&] { read_raster_file(folder_.path()); }), HasSubstr("not a file"));
 
-    std::ofstream(file("text.png")) << "This is no picture at all, whatever its name says.\n";
+    std::ofstream(folder_ / "text.png") << "This is no picture at all, whatever its name says.\n";
     EXPECT_THAT(message("text.png"), HasSubstr("text.png"));
-    std::ofstream(file("empty.png"));
+    std::ofstream(folder_ / "empty.png");
     EXPECT_THAT(message("empty.png"), HasSubstr("empty.png"));
 }
 
@@ -125,19 +129,19 @@ TEST_F(ImageFile, RefusesTruncatedFiles) {
     for (std::size_t index = 0; index < noise.size(); ++index)
         noise[index] = std::uint8_t(index * index * 31 >> 7);
     for (const std::string name : {"cut.png", "cut.jpg", "cut.tif", "cut.exr", "cut.tga"}) {
-        write_with_openimageio<std::uint8_t>(file(name), {128, 128}, 3, noise);
-        EXPECT_NO_THROW(read_raster_file(file(name))) << name;
-        truncate_file(file(name), 0.5);
-        EXPECT_THROW(read_raster_file(file(name)), Error) << name;
+        write_with_openimageio<std::uint8_t>(folder_ / name, {128, 128}, 3, noise);
+        EXPECT_NO_THROW(read_raster_file(folder_ / name)) << name;
+        truncate_file(folder_ / name, 0.5);
+        EXPECT_THROW(read_raster_file(folder_ / name), Error) << name;
     }
 }
 
 TEST_F(ImageFile, RefusesAbsurdSizesBeforeItAllocates) {
     // The header of a binary PPM that claims 10^10 pixels, and nothing behind it.
-    std::ofstream(file("huge.ppm")) << "P6\n100000 100000\n255\n";
-    EXPECT_THAT(message_of<Error>([&] { read_raster_file(file("huge.ppm")); }), HasSubstr("huge.ppm"));
-    std::ofstream(file("nothing.ppm")) << "P6\n0 0\n255\n";
-    EXPECT_THAT(message_of<Error>([&] { read_raster_file(file("nothing.ppm")); }), HasSubstr("nothing.ppm"));
+    std::ofstream(folder_ / "huge.ppm") << "P6\n100000 100000\n255\n";
+    EXPECT_THAT(error_message([&] { read_raster_file(folder_ / "huge.ppm"); }), HasSubstr("huge.ppm"));
+    std::ofstream(folder_ / "nothing.ppm") << "P6\n0 0\n255\n";
+    EXPECT_THAT(error_message([&] { read_raster_file(folder_ / "nothing.ppm"); }), HasSubstr("nothing.ppm"));
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 #include "store/environment.hpp"
 
+#include "support/temporary_folder.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -18,9 +19,6 @@ namespace fs = std::filesystem;
 class GitFolder : public testing::Test {
 protected:
     void SetUp() override {
-        parent = fs::temp_directory_path() / ("reliefbench_git_" + std::to_string(getpid()));
-        fs::remove_all(parent);
-        folder = parent / "it's $HOME";
         fs::create_directories(folder / "below");
         std::ofstream(folder / "file") << "one";
         const std::string git = "git -C \"" + parent.string() + "/it's \\$HOME\" ";
@@ -29,10 +27,10 @@ protected:
                                   .c_str()),
                   0);
     }
-    void TearDown() override { fs::remove_all(parent); }
 
-    fs::path parent;
-    fs::path folder;
+    const TemporaryFolder temporary;
+    const fs::path parent = temporary.path();
+    const fs::path folder = parent / "it's $HOME";
 };
 
 TEST_F(GitFolder, ACleanWorkTreeHasACommitAndIsNotDirty) {

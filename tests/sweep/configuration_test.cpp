@@ -1,11 +1,11 @@
 #include "sweep/configuration.hpp"
 
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "fake_techniques.hpp"
+#include "support/error_message.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <limits>
@@ -30,12 +30,7 @@ std::vector<std::string> ids(const Configuration& configuration) {
 }
 
 std::string message_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    try {
-        ids(parse(text, overrides));
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
+    return error_message([&] { ids(parse(text, overrides)); });
 }
 
 /// A configuration that is right but for `members`.
@@ -284,8 +279,6 @@ TEST(Configuration, ReadsBackFromWhatIsWrittenToRunJson) {
 class ConfigurationFiles : public testing::Test {
 protected:
     ConfigurationFiles() : before_(fs::current_path()) {
-        const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-        root_ = fs::canonical(fs::temp_directory_path()) / fmt::format("reliefbench_{}_{}", test->name(), ::getpid());
         for (const char* folder : {"configs/maps", "work", "other"})
             fs::create_directories(root_ / folder);
         for (const char* file : {"configs/here.png", "configs/both.png", "configs/maps/deep.png", "work/both.png",
@@ -294,10 +287,7 @@ protected:
         }
         fs::current_path(root_ / "work");
     }
-    ~ConfigurationFiles() override {
-        fs::current_path(before_);
-        fs::remove_all(root_);
-    }
+    ~ConfigurationFiles() override { fs::current_path(before_); }
 
     Configuration read(const std::string& heightmap, const std::vector<std::string>& overrides = {}) {
         const std::string text = with(R"("axes": {"heightmap": )" + heightmap + "}", R"(["plain"])");
@@ -308,8 +298,8 @@ protected:
         return expand(configuration, fake_techniques()).front().view.height_map.name;
     }
 
-    fs::path before_;
-    fs::path root_;
+    const fs::path before_;
+    const TemporaryFolder root_;
 };
 
 TEST_F(ConfigurationFiles, AreSoughtBesideTheConfigurationThenInTheWorkingDirectory) {
@@ -351,13 +341,8 @@ TEST_F(ConfigurationFiles, TakeNoCopyPerHeightMapSize) {
 }
 
 TEST_F(ConfigurationFiles, OfOneBaseNameCannotBeToldApart) {
-    try {
-        ids(read(R"(["both.png", "../other/both.png"])"));
-        FAIL() << "no error";
-    } catch (const Error& error) {
-        EXPECT_THAT(error.what(),
-                    AllOf(HasSubstr("configs/both.png"), HasSubstr("other/both.png"), HasSubstr("rename")));
-    }
+    EXPECT_THAT(error_message([&] { ids(read(R"(["both.png", "../other/both.png"])")); }),
+                AllOf(HasSubstr("configs/both.png"), HasSubstr("other/both.png"), HasSubstr("rename")));
 }
 
 TEST_F(ConfigurationFiles, ThatCannotBeReadAreErrors) {

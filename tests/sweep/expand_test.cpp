@@ -1,6 +1,7 @@
 #include "core/error.hpp"
 #include "fake_techniques.hpp"
 #include "manifest/reserved_names.hpp"
+#include "support/error_message.hpp"
 #include "sweep/configuration.hpp"
 #include "sweep/view_axes.hpp"
 
@@ -237,12 +238,7 @@ std::vector<std::string> filtered(const std::vector<std::string>& filters) {
 }
 
 std::string filter_message(const std::string& filter) {
-    try {
-        filtered({filter});
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
+    return error_message([&] { filtered({filter}); });
 }
 
 TEST(Filter, KeepsCellsForWhichAllHold) {

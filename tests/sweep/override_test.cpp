@@ -1,6 +1,6 @@
 #include "sweep/override.hpp"
 
-#include "core/error.hpp"
+#include "support/error_message.hpp"
 
 #include <gmock/gmock.h>
 
@@ -11,12 +11,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 std::string message_of(const std::string& argument) {
-    try {
-        parse_override(argument);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
+    return error_message([&] { parse_override(argument); });
 }
 
 TEST(Override, ListsValues) {
