@@ -1,4 +1,4 @@
-#include "core/error.hpp"
+#include "support/error_message.hpp"
 #include "test_scene.hpp"
 
 #include <gmock/gmock.h>
@@ -12,16 +12,6 @@ using namespace test;
 using Files = TemporaryTechnique::Files;
 using testing::HasSubstr;
 
-template <typename Action>
-std::string error_of(Action&& action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
 TEST(TechniqueLibrary, FolderIsTheTechnique) {
     const TemporaryTechnique folder(Files{{"trace.glsl", flat_trace}});
     const Technique technique = folder.load();
@@ -32,28 +22,30 @@ TEST(TechniqueLibrary, FolderIsTheTechnique) {
 TEST(TechniqueLibrary, BrokenManifestSpoilsOnlyItsTechnique) {
     const TemporaryTechnique good(Files{{"trace.glsl", flat_trace}});
     const TemporaryTechnique bad(Files{{"trace.glsl", flat_trace}, {"technique.json", "{"}});
-    const TechniqueLibrary library = find_techniques({good.folder().parent_path()});
+    const TechniqueLibrary library = find_techniques({good.root(), bad.root()});
     ASSERT_EQ(library.techniques.size(), 1u);
     ASSERT_EQ(library.broken.size(), 1u);
     const std::string bad_id = bad.folder().filename().string();
-    EXPECT_THAT(error_of([&] { library.get(bad_id); }), HasSubstr("technique.json"));
+    EXPECT_THAT(error_message([&] { library.get(bad_id); }), HasSubstr("technique.json"));
 }
 
 TEST(TechniqueLibrary, UnknownNameIsSuggested) {
     const TemporaryTechnique folder(Files{{"trace.glsl", flat_trace}});
-    const TechniqueLibrary library = find_techniques({folder.folder().parent_path()});
+    const TechniqueLibrary library = find_techniques({folder.root()});
     const std::string id = folder.folder().filename().string();
-    EXPECT_THAT(error_of([&] { library.get(id + "x"); }), HasSubstr("did you mean '" + id + "'"));
+    EXPECT_THAT(error_message([&] { library.get(id + "x"); }), HasSubstr("did you mean '" + id + "'"));
 }
 
 TEST(TechniqueLibrary, SameIdInTwoRootsIsAnError) {
     const TemporaryTechnique folder(Files{{"trace.glsl", flat_trace}});
-    const auto root = folder.folder().parent_path();
-    EXPECT_THAT(error_of([&] { find_techniques({root, root}); }), HasSubstr("rename one folder"));
+    EXPECT_THAT(error_message([&] {
+                    find_techniques({folder.root(), folder.root()});
+                }),
+                HasSubstr("rename one folder"));
 }
 
 TEST(TechniqueLibrary, MissingRootIsAnError) {
-    EXPECT_THAT(error_of([] { find_techniques({"/nowhere/at/all"}); }), HasSubstr("/nowhere/at/all"));
+    EXPECT_THAT(error_message([] { find_techniques({"/nowhere/at/all"}); }), HasSubstr("/nowhere/at/all"));
 }
 
 TEST(TechniqueLibrary, HashFollowsShadersButNotDocuments) {
@@ -79,7 +71,8 @@ protected:
         const TemporaryTechnique folder(files);
         const HeightMap map = make_map({2, 2}, [](int, int) { return 1.0; });
         const SceneOnDevice scene(device(), map, grey_albedo());
-        return error_of([&] { make_renderer(device(), folder.load(), scene, make_view(0, Projection::parallel)); });
+        return error_message(
+            [&] { make_renderer(device(), folder.load(), scene, make_view(0, Projection::parallel)); });
     }
 };
 

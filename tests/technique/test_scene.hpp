@@ -5,6 +5,7 @@
 #include "gpu/shader_cache.hpp"
 #include "scene/albedo.hpp"
 #include "scene/height_map.hpp"
+#include "support/temporary_folder.hpp"
 #include "technique/renderer.hpp"
 #include "technique/technique.hpp"
 
@@ -56,24 +57,20 @@ public:
     /// Files by name; technique.json gets what is not given.
     explicit TemporaryTechnique(const Files& files) {
         static int count = 0;
-        const std::string name = "technique_" + std::to_string(++count);
-        const std::string process = testing::UnitTest::GetInstance()->current_test_info()->name();
-        root_ = std::filesystem::temp_directory_path() / ("reliefbench_" + process);
-        folder_ = root_ / name;
+        folder_ = root_ / ("technique_" + std::to_string(++count));
         std::filesystem::create_directories(folder_);
         for (const auto& [file, text] : files)
             write_text_file(folder_ / file, text);
         if (!files.contains("technique.json")) write_text_file(folder_ / "technique.json", shortest_manifest);
     }
-    ~TemporaryTechnique() { std::filesystem::remove_all(root_); }
-    TemporaryTechnique(const TemporaryTechnique&) = delete;
-    TemporaryTechnique& operator=(const TemporaryTechnique&) = delete;
 
-    Technique load() const { return find_techniques({root_}).get(folder_.filename().string()); }
+    Technique load() const { return find_techniques({root()}).get(folder_.filename().string()); }
     const std::filesystem::path& folder() const { return folder_; }
+    /// Holds the folder and nothing else.
+    const std::filesystem::path& root() const { return root_.path(); }
 
 private:
-    std::filesystem::path root_;
+    TemporaryFolder root_;
     std::filesystem::path folder_;
 };
 

@@ -2,8 +2,6 @@
 
 #include "core/file.hpp"
 
-#include <unistd.h>
-
 namespace reliefbench::test {
 
 namespace {
@@ -84,11 +82,7 @@ HeightMap map_of(Resolution size, const std::function<double(int x, int y)>& hei
 
 BrokenCopy::BrokenCopy(const std::string& id, const std::string& file, const std::string& passage,
                        const std::string& replacement) {
-    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-    root_ = fs::temp_directory_path() / ("reliefbench_broken_" + test + "_" + std::to_string(getpid()));
     const fs::path folder = root_ / id;
-    fs::remove_all(root_);
-    fs::create_directories(root_);
     fs::copy(default_technique_root() / id, folder, fs::copy_options::recursive);
     std::string broken_file = file;
     if (!fs::exists(folder / file)) {
@@ -97,12 +91,7 @@ BrokenCopy::BrokenCopy(const std::string& id, const std::string& file, const std
         replace_once(folder / "trace.glsl", "#include \"" + file + "\"", "#include \"" + broken_file + "\"");
     }
     replace_once(folder / broken_file, passage, replacement);
-    technique_ = find_techniques({root_}).get(id);
-}
-
-BrokenCopy::~BrokenCopy() {
-    std::error_code ignored;
-    fs::remove_all(root_, ignored);
+    technique_ = find_techniques({root_.path()}).get(id);
 }
 
 std::vector<Check> checks_until_failure(const gpu::Device& device, const Technique& technique,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/device.hpp"
+#include "support/temporary_folder.hpp"
 #include "technique/technique.hpp"
 #include "verify/check_list.hpp"
 #include "verify/circumstance.hpp"
@@ -49,14 +50,11 @@ class BrokenCopy {
 public:
     BrokenCopy(const std::string& id, const std::string& file, const std::string& passage,
                const std::string& replacement);
-    ~BrokenCopy();
-    BrokenCopy(const BrokenCopy&) = delete;
-    BrokenCopy& operator=(const BrokenCopy&) = delete;
 
     const Technique& technique() const { return technique_; }
 
 private:
-    std::filesystem::path root_;
+    TemporaryFolder root_;
     Technique technique_;
 };
 
