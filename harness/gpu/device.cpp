@@ -2,6 +2,7 @@
 
 #include "core/suggest.hpp"
 #include "gpu/handles.hpp"
+#include "gpu/pipeline_cache.hpp"
 #include "gpu/shader_cache.hpp"
 
 #include <algorithm>
@@ -268,7 +269,9 @@ std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::str
 }
 
 Device::Device(const DeviceOptions& options)
-    : handles_(std::make_unique<DeviceHandles>()), shader_cache_(std::make_unique<ShaderCache>()) {
+    : handles_(std::make_unique<DeviceHandles>()),
+      shader_cache_(std::make_unique<ShaderCache>()),
+      pipeline_cache_(std::make_unique<PipelineCache>()) {
     std::string choice = options.choice;
     if (const char* environment = std::getenv("RELIEFBENCH_DEVICE"); choice.empty() && environment)
         choice = environment;

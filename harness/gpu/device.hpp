@@ -54,6 +54,7 @@ struct DeviceOptions {
 };
 
 struct DeviceHandles;
+class PipelineCache;
 class ShaderCache;
 
 /// A Vulkan device with one queue. Used by one thread at a time. What the world does to it (a lost device, no memory)
@@ -73,10 +74,13 @@ public:
     const DeviceHandles& handles() const { return *handles_; }
     /// Compiled shaders by the key that their owner gives them: a sweep over parameters compiles GLSL once.
     ShaderCache& shader_cache() const { return *shader_cache_; }
+    /// Pipelines by what they are made of: the views of a sweep share them.
+    PipelineCache& pipeline_cache() const { return *pipeline_cache_; }
 
 private:
     std::unique_ptr<DeviceHandles> handles_;
     std::unique_ptr<ShaderCache> shader_cache_;
+    std::unique_ptr<PipelineCache> pipeline_cache_;
 };
 
 }  // namespace reliefbench::gpu

@@ -1,6 +1,10 @@
 #include "gpu/pipeline.hpp"
 
+#include <fmt/format.h>
+
+#include <array>
 #include <cassert>
+#include <string>
 
 namespace reliefbench::gpu {
 
@@ -55,7 +59,7 @@ void make_descriptor_sets(const DeviceHandles& handles, Pipeline& pipeline,
                                                      .maxSets = set_count,
                                                      .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
                                                      .pPoolSizes = sizes.data()});
-    const std::vector<vk::DescriptorSetLayout> layouts(sets.size(), *pipeline.set_layout);
+    const std::vector<vk::DescriptorSetLayout> layouts(sets.size(), *pipeline.shared->set_layout);
     vk::raii::DescriptorSets allocated(handles.device,
                                        vk::DescriptorSetAllocateInfo{.descriptorPool = *pipeline.descriptor_pool,
                                                                      .descriptorSetCount = set_count,
@@ -76,19 +80,35 @@ void make_descriptor_sets(const DeviceHandles& handles, Pipeline& pipeline,
     handles.device.updateDescriptorSets(writes, {});
 }
 
+/// What a pipeline's making depends on, apart from fixed state: shaders by their addresses.
+std::string shared_key(const std::vector<CompiledStage>& stages, const SpecializationValues& constants,
+                       const std::vector<Binding>& bindings) {
+    std::string key;
+    for (const CompiledStage& stage : stages)
+        key += fmt::format("stage {} {};", static_cast<int>(stage.stage), static_cast<const void*>(stage.code.get()));
+    for (const auto& [id, value] : constants)
+        key += fmt::format("constant {} {};", id, value);
+    for (const Binding& binding : bindings)
+        key += fmt::format("binding {} {};", binding.index, vk::to_string(binding.type));
+    return key;
+}
+
 /// Everything but the pipeline itself.
-Pipeline make_layout(const DeviceHandles& handles, const std::vector<std::vector<Binding>>& sets,
-                     vk::ShaderStageFlags stages, std::uint32_t push_constant_bytes) {
-    assert(!sets.empty());
-    Pipeline result;
+SharedPipeline make_layout(const DeviceHandles& handles, const std::vector<CompiledStage>& compiled,
+                           const std::vector<Binding>& set, std::uint32_t push_constant_bytes) {
+    SharedPipeline result;
+    vk::ShaderStageFlags stages;
+    for (const CompiledStage& stage : compiled) {
+        stages |= vulkan_stage(stage.stage);
+        result.shaders.push_back(stage.code);
+    }
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
-    for (const Binding& binding : sets.front())
+    for (const Binding& binding : set)
         bindings.push_back(
             {.binding = binding.index, .descriptorType = binding.type, .descriptorCount = 1, .stageFlags = stages});
     result.set_layout = vk::raii::DescriptorSetLayout(
         handles.device, vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
                                                           .pBindings = bindings.data()});
-    make_descriptor_sets(handles, result, sets);
     const vk::PushConstantRange push_constants{.stageFlags = stages, .size = push_constant_bytes};
     result.layout = vk::raii::PipelineLayout(
         handles.device, vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
@@ -132,25 +152,41 @@ Binding storage_image(std::uint32_t index, const vk::raii::ImageView& view) {
 }
 
 void Pipeline::bind(const vk::raii::CommandBuffer& commands, std::size_t descriptor_set) const {
-    commands.bindPipeline(bind_point, *pipeline);
-    commands.bindDescriptorSets(bind_point, *layout, 0, *descriptor_sets[descriptor_set], {});
+    commands.bindPipeline(shared->bind_point, *shared->pipeline);
+    commands.bindDescriptorSets(shared->bind_point, layout(), 0, *descriptor_sets[descriptor_set], {});
+    if (shared->bind_point != vk::PipelineBindPoint::eGraphics) return;
+    commands.setViewport(0, vk::Viewport{.width = static_cast<float>(extent.width),
+                                         .height = static_cast<float>(extent.height),
+                                         .minDepth = 0,
+                                         .maxDepth = 1});
+    commands.setScissor(0, vk::Rect2D{.extent = extent});
 }
 
 Pipeline make_compute_pipeline(const Device& device, const ComputePipelineOptions& options,
                                const std::vector<std::vector<Binding>>& sets) {
+    assert(!sets.empty());
     const DeviceHandles& handles = device.handles();
     return translate_errors("make a compute pipeline", handles.info.name, [&] {
-        Pipeline result = make_layout(handles, sets, vk::ShaderStageFlagBits::eCompute, options.push_constant_bytes);
-        const Specialization specialization(options.constants);
-        const vk::raii::ShaderModule module = make_module(handles, *options.shader.code);
-        result.bind_point = vk::PipelineBindPoint::eCompute;
-        result.pipeline =
-            vk::raii::Pipeline(handles.device, handles.pipeline_cache,
-                               vk::ComputePipelineCreateInfo{.stage = {.stage = vk::ShaderStageFlagBits::eCompute,
-                                                                       .module = *module,
-                                                                       .pName = "main",
-                                                                       .pSpecializationInfo = &specialization.info},
-                                                             .layout = *result.layout});
+        const std::vector<CompiledStage> stages{options.shader};
+        const auto make = [&] {
+            SharedPipeline made = make_layout(handles, stages, sets.front(), options.push_constant_bytes);
+            const Specialization specialization(options.constants);
+            const vk::raii::ShaderModule module = make_module(handles, *options.shader.code);
+            made.bind_point = vk::PipelineBindPoint::eCompute;
+            made.pipeline =
+                vk::raii::Pipeline(handles.device, handles.pipeline_cache,
+                                   vk::ComputePipelineCreateInfo{.stage = {.stage = vk::ShaderStageFlagBits::eCompute,
+                                                                           .module = *module,
+                                                                           .pName = "main",
+                                                                           .pSpecializationInfo = &specialization.info},
+                                                                 .layout = *made.layout});
+            return made;
+        };
+        Pipeline result;
+        result.shared = device.pipeline_cache().get(
+            shared_key(stages, options.constants, sets.front()) + fmt::format("push {};", options.push_constant_bytes),
+            make);
+        make_descriptor_sets(handles, result, sets);
         return result;
     });
 }
@@ -169,13 +205,10 @@ vk::raii::Pipeline make_graphics(const DeviceHandles& handles, const GraphicsPip
                                                                          vk::TessellationDomainOrigin::eLowerLeft};
     const vk::PipelineTessellationStateCreateInfo tessellation{.pNext = &origin,
                                                                .patchControlPoints = options.patch_vertices};
-    const vk::Viewport viewport{.width = static_cast<float>(options.extent.width),
-                                .height = static_cast<float>(options.extent.height),
-                                .minDepth = 0,
-                                .maxDepth = 1};
-    const vk::Rect2D scissor{.extent = options.extent};
-    const vk::PipelineViewportStateCreateInfo viewports{
-        .viewportCount = 1, .pViewports = &viewport, .scissorCount = 1, .pScissors = &scissor};
+    const vk::PipelineViewportStateCreateInfo viewports{.viewportCount = 1, .scissorCount = 1};
+    const std::array dynamic_states{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
+    const vk::PipelineDynamicStateCreateInfo dynamic{.dynamicStateCount = dynamic_states.size(),
+                                                     .pDynamicStates = dynamic_states.data()};
     const vk::PipelineRasterizationStateCreateInfo rasterization{
         .polygonMode = vk::PolygonMode::eFill,
         .cullMode = patches ? vk::CullModeFlagBits::eBack : vk::CullModeFlagBits::eNone,
@@ -206,6 +239,7 @@ vk::raii::Pipeline make_graphics(const DeviceHandles& handles, const GraphicsPip
                                                              .pMultisampleState = &multisampling,
                                                              .pDepthStencilState = &depth,
                                                              .pColorBlendState = &blending,
+                                                             .pDynamicState = &dynamic,
                                                              .layout = layout});
 }
 
@@ -215,21 +249,29 @@ Pipeline make_graphics_pipeline(const Device& device, const GraphicsPipelineOpti
                                 const std::vector<Binding>& bindings) {
     const DeviceHandles& handles = device.handles();
     return translate_errors("make a graphics pipeline", handles.info.name, [&] {
-        vk::ShaderStageFlags used;
-        for (const CompiledStage& stage : options.stages)
-            used |= vulkan_stage(stage.stage);
-        Pipeline result = make_layout(handles, {bindings}, used, 0);
-        const Specialization specialization(options.constants);
-        std::vector<vk::raii::ShaderModule> modules;
-        std::vector<vk::PipelineShaderStageCreateInfo> stages;
-        for (const CompiledStage& stage : options.stages) {
-            modules.push_back(make_module(handles, *stage.code));
-            stages.push_back({.stage = vulkan_stage(stage.stage),
-                              .module = *modules.back(),
-                              .pName = "main",
-                              .pSpecializationInfo = &specialization.info});
-        }
-        result.pipeline = make_graphics(handles, options, stages, *result.layout);
+        const auto make = [&] {
+            SharedPipeline made = make_layout(handles, options.stages, bindings, 0);
+            const Specialization specialization(options.constants);
+            std::vector<vk::raii::ShaderModule> modules;
+            std::vector<vk::PipelineShaderStageCreateInfo> stages;
+            for (const CompiledStage& stage : options.stages) {
+                modules.push_back(make_module(handles, *stage.code));
+                stages.push_back({.stage = vulkan_stage(stage.stage),
+                                  .module = *modules.back(),
+                                  .pName = "main",
+                                  .pSpecializationInfo = &specialization.info});
+            }
+            made.pipeline = make_graphics(handles, options, stages, *made.layout);
+            return made;
+        };
+        std::string key = shared_key(options.stages, options.constants, bindings);
+        for (const vk::Format format : options.colour_formats)
+            key += fmt::format("colour {};", vk::to_string(format));
+        key += fmt::format("depth {};patch {};", vk::to_string(options.depth_format), options.patch_vertices);
+        Pipeline result;
+        result.shared = device.pipeline_cache().get(key, make);
+        result.extent = options.extent;
+        make_descriptor_sets(handles, result, {bindings});
         return result;
     });
 }

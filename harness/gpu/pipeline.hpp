@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/handles.hpp"
+#include "gpu/pipeline_cache.hpp"
 #include "gpu/shader_compiler.hpp"
 
 #include <cstdint>
@@ -33,16 +34,17 @@ Binding sampled_image(std::uint32_t index, const vk::raii::ImageView& view, cons
                       vk::ImageLayout layout);
 Binding storage_image(std::uint32_t index, const vk::raii::ImageView& view);
 
-/// A pipeline with its layout and its descriptor sets. The bindings' resources must outlive it.
+/// A pipeline, which others of the same making share, with descriptor sets of its own. The bindings' resources must
+/// outlive it.
 struct Pipeline {
-    vk::raii::DescriptorSetLayout set_layout{nullptr};
+    std::shared_ptr<const SharedPipeline> shared;
     vk::raii::DescriptorPool descriptor_pool{nullptr};
     std::vector<vk::raii::DescriptorSet> descriptor_sets;
-    vk::raii::PipelineLayout layout{nullptr};
-    vk::raii::Pipeline pipeline{nullptr};
-    vk::PipelineBindPoint bind_point = vk::PipelineBindPoint::eGraphics;
+    /// Graphics only: viewport and scissor.
+    vk::Extent2D extent;
 
     void bind(const vk::raii::CommandBuffer& commands, std::size_t descriptor_set = 0) const;
+    vk::PipelineLayout layout() const { return *shared->layout; }
 };
 
 struct ComputePipelineOptions {

@@ -104,7 +104,7 @@ void DerivedMaps::record_pass(const vk::raii::CommandBuffer& commands, const Pas
     for (std::size_t i = 0; i < pass.level_sizes.size(); ++i) {
         const auto level = static_cast<std::int32_t>(pass.first_level + i);
         pass.pipeline.bind(commands, i);
-        commands.pushConstants<std::int32_t>(*pass.pipeline.layout, vk::ShaderStageFlagBits::eCompute, 0, level);
+        commands.pushConstants<std::int32_t>(pass.pipeline.layout(), vk::ShaderStageFlagBits::eCompute, 0, level);
         commands.dispatch(groups(pass.level_sizes[i].width), groups(pass.level_sizes[i].height), 1);
         gpu::full_barrier(commands);
     }
