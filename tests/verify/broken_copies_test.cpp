@@ -72,7 +72,7 @@ TEST_F(BrokenCopies, FirstHitFindsNodesSkippedByTheirEntry) {
 }
 
 TEST_F(BrokenCopies, FirstHitFindsATraversalThatSkipsWhatIsBehindTheWall) {
-    expect_broken_promise(BrokenCopy("qdm", "trace.glsl", "int wrapped = beyond == size ? 0",
+    expect_broken_promise(BrokenCopy("qdm", "cell_walk.glsl", "int wrapped = beyond == size ? 0",
                                      "beyond += ray.forward[axis] && beyond + 1 < size ? 1 : 0;\n"
                                      "    int wrapped = beyond == size ? 0"),
                           Promise::first_hit);
@@ -102,8 +102,7 @@ TEST_F(BrokenCopies, ConservativeFindsTheFarWallInPlaceOfTheHit) {
 }
 
 TEST_F(BrokenCopies, ConservativeFindsATreeWithoutTheCellsFarCorners) {
-    expect_broken_promise(BrokenCopy("qdm", "cell_maximum.glsl",
-                                     "max(max(corners.x, corners.y), max(corners.z, corners.w))", "corners.x"),
+    expect_broken_promise(BrokenCopy("qdm", "cell_maximum.glsl", "cell_maximum(texel)", "tap_height_texel(texel)"),
                           Promise::conservative);
 }
 
