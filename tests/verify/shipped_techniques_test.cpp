@@ -48,6 +48,7 @@ TEST(Promises, ShippedTechniquesMakeThese) {
         {"contact_refinement",
          {{"order_1", "adaptive=false refinement_steps=2 refinements=6", "refinements"},
           {"order_2", "adaptive=false", ""}}},
+        {"max_mip", {{"first_hit", "", ""}, {"conservative", "", ""}}},
         {"qdm", {{"first_hit", "leaf=exact", ""}, {"conservative", "leaf=exact", ""}}},
         {"secant",
          {{"order_1", "adaptive=false secant_steps=0", ""}, {"order_2", "adaptive=false secant_steps=1", ""}}},
