@@ -2,11 +2,14 @@
 
 #include "cli/exit_code.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <functional>
 #include <string>
 #include <vector>
+
+/// Only forward: CLI11 costs seconds per file.
+namespace CLI {
+class App;
+}
 
 namespace reliefbench {
 

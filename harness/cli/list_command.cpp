@@ -3,6 +3,8 @@
 #include "core/suggest.hpp"
 #include "scene/procedural.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <fmt/format.h>
 
 #include <memory>

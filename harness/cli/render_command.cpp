@@ -15,6 +15,8 @@
 #include "sweep/configuration.hpp"
 #include "sweep/override.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -10,6 +10,8 @@
 #include "report/table.hpp"
 #include "store/run_folder.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 

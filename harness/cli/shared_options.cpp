@@ -2,6 +2,8 @@
 
 #include "core/log.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
 
 namespace reliefbench {

@@ -4,10 +4,14 @@
 #include "gpu/device.hpp"
 #include "technique/technique.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <string>
 #include <vector>
+
+/// Only forward: CLI11 costs seconds per file.
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace reliefbench {
 

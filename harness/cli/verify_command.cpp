@@ -2,6 +2,8 @@
 #include "cli/shared_options.hpp"
 #include "verify/conformance.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <fmt/format.h>
 
 #include <cstdio>
