@@ -1,5 +1,6 @@
 #include "gpu/device.hpp"
 
+#include "core/number_text.hpp"
 #include "core/suggest.hpp"
 #include "gpu/handles.hpp"
 #include "gpu/pipeline_cache.hpp"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdlib>
 #include <optional>
 
@@ -253,10 +253,8 @@ std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::str
         if (!best) fail("no Vulkan device can run reliefbench:{}\n{}", device_table(devices), install_a_driver);
         return *best;
     }
-    std::size_t index = 0;
-    const char* const end = choice.data() + choice.size();
-    const auto [parsed_to, error] = std::from_chars(choice.data(), end, index);
-    if (error == std::errc{} && parsed_to == end) {
+    if (const auto number = whole_text_as<std::size_t>(choice)) {
+        const std::size_t index = *number;
         if (index >= devices.size()) fail("there is no Vulkan device {}. There are:{}", index, device_table(devices));
         if (!devices[index].unusable_reason.empty())
             fail("Vulkan device {} ({}) cannot run reliefbench: {}", index, devices[index].name,

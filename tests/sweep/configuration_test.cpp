@@ -279,13 +279,13 @@ TEST(Configuration, ReadsBackFromWhatIsWrittenToRunJson) {
 class ConfigurationFiles : public testing::Test {
 protected:
     ConfigurationFiles() : before_(fs::current_path()) {
-        for (const char* folder : {"configs/maps", "work", "other"})
+        for (const char* folder : {"configs/maps", "here", "other"})
             fs::create_directories(root_ / folder);
-        for (const char* file : {"configs/here.png", "configs/both.png", "configs/maps/deep.png", "work/both.png",
-                                 "work/there.png", "other/both.png", "work/skin.jpg"}) {
+        for (const char* file : {"configs/here.png", "configs/both.png", "configs/maps/deep.png", "here/both.png",
+                                 "here/there.png", "other/both.png", "here/skin.jpg"}) {
             write_text_file(root_ / file, "not read");
         }
-        fs::current_path(root_ / "work");
+        fs::current_path(root_ / "here");
     }
     ~ConfigurationFiles() override { fs::current_path(before_); }
 
@@ -306,13 +306,13 @@ TEST_F(ConfigurationFiles, AreSoughtBesideTheConfigurationThenInTheWorkingDirect
     EXPECT_EQ(source(read(R"("here.png")")), (root_ / "configs/here.png").string());
     EXPECT_EQ(source(read(R"("maps/deep.png")")), (root_ / "configs/maps/deep.png").string());
     EXPECT_EQ(source(read(R"("both.png")")), (root_ / "configs/both.png").string());
-    EXPECT_EQ(source(read(R"("there.png")")), (root_ / "work/there.png").string());
-    EXPECT_EQ(source(read(R"({"file": "../work/both.png"})")), (root_ / "work/both.png").string());
+    EXPECT_EQ(source(read(R"("there.png")")), (root_ / "here/there.png").string());
+    EXPECT_EQ(source(read(R"({"file": "../here/both.png"})")), (root_ / "here/both.png").string());
     EXPECT_THROW(read(R"("nowhere.png")"), Error);
 }
 
 TEST_F(ConfigurationFiles, OfOverridesAreSoughtInTheWorkingDirectory) {
-    EXPECT_EQ(source(read(R"("rock")", {"heightmap=both.png"})), (root_ / "work/both.png").string());
+    EXPECT_EQ(source(read(R"("rock")", {"heightmap=both.png"})), (root_ / "here/both.png").string());
     EXPECT_THROW(read(R"("rock")", {"heightmap=here.png"}), Error);
 }
 
@@ -326,7 +326,7 @@ TEST_F(ConfigurationFiles, AreCalledByTheirBaseNameAndHowTheyAreRead) {
     const std::vector<Cell> cells = expand(configuration, fake_techniques());
     EXPECT_TRUE(cells[1].view.height_map.invert);
     EXPECT_EQ(cells[1].view.height_map.channel, 2);
-    EXPECT_EQ(cells[3].view.height_map.albedo, (root_ / "work/skin.jpg").string());
+    EXPECT_EQ(cells[3].view.height_map.albedo, (root_ / "here/skin.jpg").string());
     EXPECT_EQ(axes_to_json(cells[0].view)["heightmap_size"], Json());
     // Asked for by base name, all readings of the file answer.
     EXPECT_EQ(filter_cells(cells, {"heightmap=there.png"}, fake_techniques()).size(), 4U);
