@@ -3,8 +3,8 @@
 #include "core/number_text.hpp"
 #include "core/suggest.hpp"
 #include "gpu/handles.hpp"
-#include "gpu/pipeline_cache.hpp"
 #include "gpu/shader_cache.hpp"
+#include "gpu/shared_pipelines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -269,7 +269,7 @@ std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::str
 Device::Device(const DeviceOptions& options)
     : handles_(std::make_unique<DeviceHandles>()),
       shader_cache_(std::make_unique<ShaderCache>()),
-      pipeline_cache_(std::make_unique<PipelineCache>()) {
+      shared_pipelines_(std::make_unique<SharedPipelines>()) {
     std::string choice = options.choice;
     if (const char* environment = std::getenv("RELIEFBENCH_DEVICE"); choice.empty() && environment)
         choice = environment;

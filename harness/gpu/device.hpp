@@ -54,7 +54,7 @@ struct DeviceOptions {
 };
 
 struct DeviceHandles;
-class PipelineCache;
+class SharedPipelines;
 class ShaderCache;
 
 /// A Vulkan device with one queue. Used by one thread at a time. What the world does to it (a lost device, no memory)
@@ -75,12 +75,12 @@ public:
     /// Compiled shaders by the key that their owner gives them: a sweep over parameters compiles GLSL once.
     ShaderCache& shader_cache() const { return *shader_cache_; }
     /// Pipelines by what they are made of: the views of a sweep share them.
-    PipelineCache& pipeline_cache() const { return *pipeline_cache_; }
+    SharedPipelines& shared_pipelines() const { return *shared_pipelines_; }
 
 private:
     std::unique_ptr<DeviceHandles> handles_;
     std::unique_ptr<ShaderCache> shader_cache_;
-    std::unique_ptr<PipelineCache> pipeline_cache_;
+    std::unique_ptr<SharedPipelines> shared_pipelines_;
 };
 
 }  // namespace reliefbench::gpu

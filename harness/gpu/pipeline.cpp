@@ -183,7 +183,7 @@ Pipeline make_compute_pipeline(const Device& device, const ComputePipelineOption
             return made;
         };
         Pipeline result;
-        result.shared = device.pipeline_cache().get(
+        result.shared = device.shared_pipelines().get(
             shared_key(stages, options.constants, sets.front()) + fmt::format("push {};", options.push_constant_bytes),
             make);
         make_descriptor_sets(handles, result, sets);
@@ -269,7 +269,7 @@ Pipeline make_graphics_pipeline(const Device& device, const GraphicsPipelineOpti
             key += fmt::format("colour {};", vk::to_string(format));
         key += fmt::format("depth {};patch {};", vk::to_string(options.depth_format), options.patch_vertices);
         Pipeline result;
-        result.shared = device.pipeline_cache().get(key, make);
+        result.shared = device.shared_pipelines().get(key, make);
         result.extent = options.extent;
         make_descriptor_sets(handles, result, {bindings});
         return result;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "gpu/handles.hpp"
-#include "gpu/pipeline_cache.hpp"
 #include "gpu/shader_compiler.hpp"
+#include "gpu/shared_pipelines.hpp"
 
 #include <cstdint>
 #include <map>

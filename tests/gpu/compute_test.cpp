@@ -56,6 +56,22 @@ TEST(Compute, RunsWithSpecializationConstants) {
     EXPECT_THAT(device.validation_messages(), IsEmpty());
 }
 
+TEST(Compute, PipelinesOfTheSameMakingAreShared) {
+    const Device device({.choice = "", .validation = true});
+    const Buffer first(device, 256, vk::BufferUsageFlagBits::eStorageBuffer, true);
+    const Buffer second(device, 256, vk::BufferUsageFlagBits::eStorageBuffer, true);
+    const CompiledStage shader = compile_compute(counting_shader);
+    const auto make = [&](const Buffer& buffer, std::uint32_t factor) {
+        return make_compute_pipeline(device, {.shader = shader, .constants = {{3, factor}}},
+                                     {{storage_buffer(0, buffer.buffer)}});
+    };
+    const Pipeline one = make(first, 5);
+    EXPECT_EQ(one.shared, make(second, 5).shared) << "what is bound is no part of the making";
+    EXPECT_NE(one.shared, make(first, 6).shared);
+    EXPECT_EQ(device.shared_pipelines().size(), 2U);
+    EXPECT_THAT(device.validation_messages(), IsEmpty());
+}
+
 TEST(Textures, ComeBackAsUploaded) {
     const Device device({.choice = "", .validation = true});
     const Texture texture(

@@ -24,7 +24,7 @@ struct SharedPipeline {
 
 /// Pipelines by key: the views of a sweep share them, so that the driver compiles a technique with its parameters once.
 /// (lavapipe also leaves about a megabyte behind for each pipeline that was drawn with, even when it is destroyed.)
-class PipelineCache {
+class SharedPipelines {
 public:
     std::shared_ptr<const SharedPipeline> get(const std::string& key, const std::function<SharedPipeline()>& make);
 

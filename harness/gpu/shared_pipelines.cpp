@@ -1,9 +1,9 @@
-#include "gpu/pipeline_cache.hpp"
+#include "gpu/shared_pipelines.hpp"
 
 namespace reliefbench::gpu {
 
-std::shared_ptr<const SharedPipeline> PipelineCache::get(const std::string& key,
-                                                         const std::function<SharedPipeline()>& make) {
+std::shared_ptr<const SharedPipeline> SharedPipelines::get(const std::string& key,
+                                                           const std::function<SharedPipeline()>& make) {
     const auto found = pipelines_.find(key);
     if (found != pipelines_.end()) return found->second;
     if (pipelines_.size() >= most_unused)
