@@ -1,0 +1,37 @@
+#include "cli/comparison_output.hpp"
+
+#include "cli/terminal.hpp"
+#include "core/suggest.hpp"
+#include "report/comparison_words.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/format.h>
+
+namespace reliefbench {
+
+void ComparisonOutput::add_to(CLI::App& command) {
+    command.add_option("--format", format, "How to write the result; default: table")
+        ->type_name(join(comparison_format_names(), "|"));
+    command.add_flag("--all", all, "In the table, list cells that stayed the same and every change of quality, too");
+}
+
+void ComparisonOutput::check() const {
+    parse_comparison_format(format);
+}
+
+ExitCode ComparisonOutput::print(const Comparison& comparison) const {
+    fmt::print("{}", format_comparison(comparison, parse_comparison_format(format), {all, table_columns()}));
+    return exit_code_of(comparison);
+}
+
+ExitCode exit_code_of(const Comparison& comparison) {
+    const ComparisonCounts counts = count(comparison);
+    ExitCode code = ExitCode::done;
+    if (counts.undecided > 0) code = graver(code, ExitCode::undecided);
+    if (counts.slower > 0 || counts.worse > 0) code = graver(code, ExitCode::regression);
+    if (counts.failed_now > 0) code = graver(code, ExitCode::cells_failed);
+    return code;
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,89 @@
+#include "report/comparison_json.hpp"
+
+#include "report/comparison_words.hpp"
+
+#include <cmath>
+#include <optional>
+
+namespace reliefbench {
+
+namespace {
+
+Json number(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+Json number(const std::optional<double>& value) {
+    return value ? number(*value) : Json(nullptr);
+}
+
+Json quality_to_json(const QualityComparison& quality) {
+    Json json;
+    json["verdict"] = to_string(quality.verdict);
+    json["changes"] = Json::array();
+    for (const QualityChange& change : quality.changes) {
+        Json entry;
+        entry["field"] = change.field;
+        entry["base"] = number(change.base);
+        entry["new"] = number(change.changed);
+        entry["worse"] = change.worse;
+        json["changes"].push_back(std::move(entry));
+    }
+    return json;
+}
+
+Json cell_to_json(const CellComparison& cell) {
+    Json json;
+    json["cell"] = cell.cell;
+    json["verdict"] = to_string(cell.verdict);
+    json["ratio"] = number(cell.time.ratio);
+    json["ci95"] = {number(cell.time.ci95.low), number(cell.time.ci95.high)};
+    json["visible"] = number(cell.time.visible);
+    json["reason"] = cell.reason;
+    json["p_slower"] = number(cell.time.p_slower);
+    json["p_faster"] = number(cell.time.p_faster);
+    json["units"] = cell.time.units;
+    json["more"] = cell.time.more ? Json(*cell.time.more) : Json(nullptr);
+    json["quality"] = quality_to_json(cell.quality);
+    return json;
+}
+
+Json counts_to_json(const Comparison& comparison) {
+    const ComparisonCounts counts = count(comparison);
+    Json json;
+    json["slower"] = counts.slower;
+    json["undecided"] = counts.undecided;
+    json["faster"] = counts.faster;
+    json["same"] = counts.same;
+    json["worse"] = counts.worse;
+    json["better"] = counts.better;
+    json["uncompared"] = counts.uncompared;
+    json["failed_now"] = counts.failed_now;
+    return json;
+}
+
+}  // namespace
+
+Json comparison_to_json(const Comparison& comparison) {
+    Json json;
+    json["cells"] = Json::array();
+    for (const CellComparison& cell : comparison.cells) {
+        json["cells"].push_back(cell_to_json(cell));
+    }
+    json["uncompared"] = Json::array();
+    for (const UncomparedCell& cell : comparison.uncompared) {
+        json["uncompared"].push_back({{"cell", cell.cell}, {"reason", cell.reason}, {"failed_now", cell.failed_now}});
+    }
+    json["notices"] = comparison.notices;
+    json["summary"] = counts_to_json(comparison);
+    json["threshold"] = number(comparison.threshold);
+    json["unit"] = comparison.unit;
+    json["environment"] = comparison.environment;
+    return json;
+}
+
+std::string format_comparison_json(const Comparison& comparison) {
+    constexpr int indent = 2;
+    return comparison_to_json(comparison).dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace reliefbench

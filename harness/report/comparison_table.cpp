@@ -1,0 +1,132 @@
+#include "report/comparison_table.hpp"
+
+#include "report/comparison_words.hpp"
+#include "report/text_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr std::size_t space_between = 2;
+/// The least that a cell's id gets: a terminal narrower than the figures and this is written over its edge.
+constexpr std::size_t narrowest_id = 24;
+/// Named without --all: changed fields of a cell, and cells under each reason for not being compared.
+constexpr std::size_t fields_named = 4;
+constexpr std::size_t cells_named = 3;
+
+/// The figures of each row stand before the cell's id, which may be long and is wrapped under itself.
+std::string format_rows(const std::vector<std::string>& titles, const std::vector<std::vector<std::string>>& figures,
+                        const std::vector<std::string>& ids, std::size_t columns) {
+    std::vector<std::size_t> widths;
+    std::size_t taken = 0;
+    for (std::size_t column = 0; column < titles.size(); ++column) {
+        std::size_t width = text_width(titles[column]);
+        for (const std::vector<std::string>& row : figures) {
+            width = std::max(width, text_width(row[column]));
+        }
+        widths.push_back(width);
+        taken += space_between + width;
+    }
+    taken += space_between;
+    const std::size_t id_width = std::max(narrowest_id, columns - std::min(columns, taken));
+    const auto line = [&](const std::vector<std::string>& row, const std::string& id) {
+        std::string text;
+        for (std::size_t column = 0; column < row.size(); ++column) {
+            text += std::string(space_between, ' ') + pad_left(row[column], widths[column]);
+        }
+        return text + std::string(space_between, ' ') + id + '\n';
+    };
+    std::string text = line(titles, "cell");
+    for (std::size_t row = 0; row < figures.size(); ++row) {
+        const std::vector<std::string> id = wrap(ids[row], id_width);
+        text += line(figures[row], id.front());
+        for (std::size_t rest = 1; rest < id.size(); ++rest) {
+            text += std::string(taken, ' ') + id[rest] + '\n';
+        }
+    }
+    return text;
+}
+
+std::string format_verdict(const Comparison& comparison, Verdict verdict, std::size_t columns) {
+    const std::vector<const CellComparison*> cells = cells_with(comparison, verdict);
+    if (cells.empty()) return "";
+    std::vector<std::string> titles = {"change", "95 %", "visible", "quality"};
+    if (verdict == Verdict::undecided) titles.push_back("more " + comparison.unit);
+    std::vector<std::vector<std::string>> figures;
+    std::vector<std::string> ids;
+    for (const CellComparison* cell : cells) {
+        figures.push_back({change_text(cell->time.ratio), change_interval_text(cell->time.ci95),
+                           percent_text(cell->time.visible), std::string(to_string(cell->quality.verdict))});
+        if (verdict == Verdict::undecided) figures.back().push_back(more_text(cell->time));
+        ids.push_back(cell->cell);
+    }
+    return fmt::format("{}, {}\n{}\n", to_string(verdict), counted(cells.size(), "cell"),
+                       format_rows(titles, figures, ids, columns));
+}
+
+std::string format_quality(const Comparison& comparison, QualityVerdict verdict,
+                           const ComparisonTableOptions& options) {
+    const std::vector<const CellComparison*> cells = cells_with(comparison, verdict);
+    if (cells.empty()) return "";
+    std::string text = fmt::format("{} quality, {}\n", to_string(verdict), counted(cells.size(), "cell"));
+    for (const CellComparison* cell : cells) {
+        text += indented(cell->cell, space_between, options.columns);
+        const std::size_t limit = options.all ? std::numeric_limits<std::size_t>::max() : fields_named;
+        for (const std::string& change : quality_change_texts(cell->quality, limit)) {
+            text += indented(change, 3 * space_between, options.columns);
+        }
+    }
+    return text + '\n';
+}
+
+std::string format_uncompared(const Comparison& comparison, const ComparisonTableOptions& options) {
+    std::string text;
+    for (const UncomparedGroup& group : uncompared_by_reason(comparison)) {
+        text += indented(fmt::format("{}, {}: {}", group.failed_now ? "failed now" : "not compared",
+                                     counted(group.cells.size(), "cell"), group.reason),
+                         0, options.columns);
+        const std::size_t named = options.all ? group.cells.size() : std::min(cells_named, group.cells.size());
+        for (std::size_t cell = 0; cell < named; ++cell) {
+            text += indented(group.cells[cell], 2 * space_between, options.columns);
+        }
+        if (named < group.cells.size()) {
+            text +=
+                indented(fmt::format("and {} more", group.cells.size() - named), 2 * space_between, options.columns);
+        }
+    }
+    return text.empty() ? text : text + '\n';
+}
+
+}  // namespace
+
+std::string format_comparison_table(const Comparison& comparison, const ComparisonTableOptions& options) {
+    std::string text;
+    for (const std::string& notice : comparison.notices) {
+        text += indented("note: " + notice, 0, options.columns);
+    }
+    if (!text.empty()) text += '\n';
+    for (const Verdict verdict : {Verdict::slower, Verdict::undecided, Verdict::faster}) {
+        text += format_verdict(comparison, verdict, options.columns);
+    }
+    if (options.all) text += format_verdict(comparison, Verdict::same, options.columns);
+    for (const QualityVerdict verdict : {QualityVerdict::worse, QualityVerdict::better}) {
+        text += format_quality(comparison, verdict, options);
+    }
+    text += format_uncompared(comparison, options);
+    if (!comparison.cells.empty()) {
+        text += indented(fmt::format("threshold {}; change: of the time, new against base; 95 %: its interval; "
+                                     "visible: the smallest change that this evidence would have shown",
+                                     percent_text(comparison.threshold)),
+                         0, options.columns);
+    }
+    return text + indented(summary_line(comparison), 0, options.columns);
+}
+
+}  // namespace reliefbench

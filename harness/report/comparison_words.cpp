@@ -1,0 +1,167 @@
+#include "report/comparison_words.hpp"
+
+#include "report/text_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr const char* undefined = "-";
+
+/// Without its unit; one decimal says enough of what a threshold of 1 % decides. The minus is the typographic one, so
+/// that it does not look like the dash of what is undefined.
+std::string signed_percent(double ratio) {
+    const double percent = 100 * (ratio - 1);
+    if (!std::isfinite(percent)) return undefined;
+    const std::string digits = fmt::format("{:.{}f}", std::abs(percent), std::abs(percent) < 99.95 ? 1 : 0);
+    if (digits == "0.0") return digits;
+    return (percent < 0 ? "−" : "+") + digits;
+}
+
+/// Of the larger side; a value that one side lacks counts as a whole one.
+double relative_size(const QualityChange& change) {
+    if (!change.base || !change.changed) return 1;
+    const double larger = std::max(std::abs(*change.base), std::abs(*change.changed));
+    return larger > 0 ? std::abs(*change.changed - *change.base) / larger : 0;
+}
+
+std::string value_text(const std::optional<double>& value, int digits) {
+    return value && std::isfinite(*value) ? significant(*value, digits) : undefined;
+}
+
+}  // namespace
+
+ComparisonCounts count(const Comparison& comparison) {
+    ComparisonCounts counts;
+    for (const CellComparison& cell : comparison.cells) {
+        counts.slower += cell.verdict == Verdict::slower ? 1 : 0;
+        counts.faster += cell.verdict == Verdict::faster ? 1 : 0;
+        counts.same += cell.verdict == Verdict::same ? 1 : 0;
+        counts.undecided += cell.verdict == Verdict::undecided ? 1 : 0;
+        counts.worse += cell.quality.verdict == QualityVerdict::worse ? 1 : 0;
+        counts.better += cell.quality.verdict == QualityVerdict::better ? 1 : 0;
+    }
+    for (const UncomparedCell& cell : comparison.uncompared) {
+        ++counts.uncompared;
+        counts.failed_now += cell.failed_now ? 1 : 0;
+    }
+    return counts;
+}
+
+std::string summary_line(const Comparison& comparison) {
+    const ComparisonCounts counts = count(comparison);
+    std::string line = fmt::format("{} compared", counted(comparison.cells.size(), "cell"));
+    if (!comparison.cells.empty()) {
+        line += fmt::format(": {} slower, {} undecided, {} faster, {} same; quality: {} worse, {} better",
+                            counts.slower, counts.undecided, counts.faster, counts.same, counts.worse, counts.better);
+    }
+    if (counts.uncompared > 0) line += fmt::format("; {} not compared", counts.uncompared);
+    if (counts.failed_now > 0) line += fmt::format(", {} of them failed now", counts.failed_now);
+    return line;
+}
+
+std::vector<const CellComparison*> cells_with(const Comparison& comparison, Verdict verdict) {
+    std::vector<const CellComparison*> cells;
+    for (const CellComparison& cell : comparison.cells) {
+        if (cell.verdict == verdict) cells.push_back(&cell);
+    }
+    std::stable_sort(cells.begin(), cells.end(), [verdict](const CellComparison* a, const CellComparison* b) {
+        return verdict == Verdict::faster ? a->time.ratio < b->time.ratio : a->time.ratio > b->time.ratio;
+    });
+    return cells;
+}
+
+std::vector<const CellComparison*> cells_with(const Comparison& comparison, QualityVerdict verdict) {
+    std::vector<const CellComparison*> cells;
+    for (const CellComparison& cell : comparison.cells) {
+        if (cell.quality.verdict == verdict) cells.push_back(&cell);
+    }
+    const auto largest = [](const CellComparison* cell) {
+        double size = 0;
+        for (const QualityChange& change : cell->quality.changes) {
+            size = std::max(size, relative_size(change));
+        }
+        return size;
+    };
+    std::stable_sort(cells.begin(), cells.end(),
+                     [&](const CellComparison* a, const CellComparison* b) { return largest(a) > largest(b); });
+    return cells;
+}
+
+std::vector<UncomparedGroup> uncompared_by_reason(const Comparison& comparison) {
+    std::vector<UncomparedGroup> groups;
+    for (const UncomparedCell& cell : comparison.uncompared) {
+        auto group = std::find_if(groups.begin(), groups.end(), [&](const UncomparedGroup& each) {
+            return each.reason == cell.reason && each.failed_now == cell.failed_now;
+        });
+        if (group == groups.end()) group = groups.insert(groups.end(), {cell.reason, cell.failed_now, {}});
+        group->cells.push_back(cell.cell);
+    }
+    std::stable_partition(groups.begin(), groups.end(), [](const UncomparedGroup& group) { return group.failed_now; });
+    return groups;
+}
+
+std::string_view to_string(QualityVerdict verdict) {
+    switch (verdict) {
+        case QualityVerdict::same:
+            return "same";
+        case QualityVerdict::better:
+            return "better";
+        case QualityVerdict::worse:
+            return "worse";
+    }
+    return "";
+}
+
+std::string change_text(double ratio) {
+    const std::string percent = signed_percent(ratio);
+    return percent == undefined ? percent : percent + " %";
+}
+
+std::string change_interval_text(const Interval& ratios) {
+    return fmt::format("{} to {} %", signed_percent(ratios.low), signed_percent(ratios.high));
+}
+
+std::string percent_text(double fraction) {
+    if (!std::isfinite(fraction)) return undefined;
+    const double percent = 100 * fraction;
+    return fmt::format("{:.{}f} %", percent, percent < 99.95 ? 1 : 0);
+}
+
+std::string more_text(const RatioEstimate& estimate) {
+    return estimate.more ? fmt::format("{}", *estimate.more) : undefined;
+}
+
+std::string quality_change_text(const QualityChange& change) {
+    // As many digits as it takes to tell the sides apart.
+    constexpr int most_digits = 17;
+    int digits = 3;
+    while (digits < most_digits && value_text(change.base, digits) == value_text(change.changed, digits)) {
+        ++digits;
+    }
+    return fmt::format("{} {} → {}", change.field, value_text(change.base, digits), value_text(change.changed, digits));
+}
+
+std::vector<std::string> quality_change_texts(const QualityComparison& quality, std::size_t limit) {
+    std::vector<const QualityChange*> changes;
+    for (const QualityChange& change : quality.changes) {
+        changes.push_back(&change);
+    }
+    std::stable_sort(changes.begin(), changes.end(), [](const QualityChange* a, const QualityChange* b) {
+        if (a->worse != b->worse) return a->worse;
+        return relative_size(*a) > relative_size(*b);
+    });
+    std::vector<std::string> texts;
+    for (std::size_t change = 0; change < std::min(limit, changes.size()); ++change) {
+        texts.push_back(quality_change_text(*changes[change]));
+    }
+    if (changes.size() > limit) texts.push_back(fmt::format("and {} more", changes.size() - limit));
+    return texts;
+}
+
+}  // namespace reliefbench
