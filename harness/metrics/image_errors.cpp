@@ -1,36 +1,74 @@
 #include "metrics/image_errors.hpp"
 
+#include "metrics/flip.hpp"
+#include "metrics/ssim.hpp"
 #include "scene/colour.hpp"
 
 #include <cassert>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace reliefbench {
 
-ImageErrors compare_images(const Image<std::array<float, 3>>& technique, const HitImage& technique_hits,
-                           const Image<std::array<float, 3>>& truth, const HitImage& truth_hits) {
-    assert(technique.size == truth.size && technique_hits.size == truth.size && truth_hits.size == truth.size);
-    double sum_of_squares = 0;
-    std::size_t values = 0;
-    for (std::size_t pixel = 0; pixel < truth.texels.size(); ++pixel) {
-        if (!technique_hits.texels[pixel].is_hit() && !truth_hits.texels[pixel].is_hit()) {
-            continue;
-        }
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            const double difference =
-                srgb_encode(technique.texels[pixel][channel]) - srgb_encode(truth.texels[pixel][channel]);
-            sum_of_squares += difference * difference;
-            ++values;
-        }
+namespace {
+
+using Colours = Image<std::array<float, 3>>;
+constexpr std::size_t channels = 3;
+
+/// Indices of the pixels that either covers.
+std::vector<std::size_t> covered_by_either(const HitImage& first, const HitImage& second) {
+    std::vector<std::size_t> pixels;
+    for (std::size_t pixel = 0; pixel < first.texels.size(); ++pixel) {
+        if (first.texels[pixel].is_hit() || second.texels[pixel].is_hit()) pixels.push_back(pixel);
     }
+    return pixels;
+}
+
+Image<double> encoded_channel(const Colours& linear, std::size_t channel) {
+    Image<double> encoded(linear.size);
+    for (std::size_t pixel = 0; pixel < linear.texels.size(); ++pixel) {
+        encoded.texels[pixel] = srgb_encode(linear.texels[pixel][channel]);
+    }
+    return encoded;
+}
+
+template <typename Value>
+double mean_over(const std::vector<std::size_t>& pixels, const Image<Value>& map) {
+    double sum = 0;
+    for (const std::size_t pixel : pixels) {
+        sum += map.texels[pixel];
+    }
+    return sum / static_cast<double>(pixels.size());
+}
+
+}  // namespace
+
+ImageErrors compare_images(const Colours& technique, const HitImage& technique_hits, const Colours& truth,
+                           const HitImage& truth_hits) {
+    assert(technique.size == truth.size && technique_hits.size == truth.size && truth_hits.size == truth.size);
+    const std::vector<std::size_t> pixels = covered_by_either(technique_hits, truth_hits);
     ImageErrors errors;
-    if (values == 0) {
+    if (pixels.empty()) {
         return errors;
     }
-    errors.rmse = std::sqrt(sum_of_squares / static_cast<double>(values));
+    double sum_of_squares = 0;
+    double similarity = 0;
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+        const Image<double> first = encoded_channel(technique, channel);
+        const Image<double> second = encoded_channel(truth, channel);
+        for (const std::size_t pixel : pixels) {
+            const double difference = first.texels[pixel] - second.texels[pixel];
+            sum_of_squares += difference * difference;
+        }
+        similarity += mean_over(pixels, ssim_map(first, second));
+    }
+    errors.rmse = std::sqrt(sum_of_squares / static_cast<double>(channels * pixels.size()));
     if (*errors.rmse > 0) {
         errors.psnr = -20 * std::log10(*errors.rmse);
     }
+    errors.ssim = similarity / channels;
+    errors.flip = mean_over(pixels, flip_map(technique, truth));
     return errors;
 }
 

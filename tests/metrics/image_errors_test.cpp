@@ -29,6 +29,8 @@ TEST(ImageErrors, IdenticalImagesHaveNoPsnr) {
     const ImageErrors errors = compare_images(image, row<Hit>({hit, hit}), image, row<Hit>({hit, hit}));
     EXPECT_EQ(errors.rmse, 0.0);
     EXPECT_FALSE(errors.psnr);
+    EXPECT_EQ(errors.flip, 0.0);
+    EXPECT_NEAR(*errors.ssim, 1, rounding);
 }
 
 TEST(ImageErrors, ValuesAreComparedAsEncodedForTheScreen) {
@@ -55,11 +57,33 @@ TEST(ImageErrors, TheUnionOfBothCoveragesIsCompared) {
     EXPECT_NEAR(*errors.psnr, 10 * std::log10(1.5), 1e-12);
 }
 
+TEST(ImageErrors, FlipAndSsimAreMeansOverTheUnion) {
+    const auto image = [](const Colour& left, const Colour& right) {
+        Image<Colour> halves(Resolution{100, 8}, left);
+        for (int y = 0; y < halves.size.height; ++y) {
+            for (int x = halves.size.width / 2; x < halves.size.width; ++x) {
+                halves.at(x, y) = right;
+            }
+        }
+        return halves;
+    };
+    // The left edge alone is covered, too far from the right half for any filter: black against white there.
+    HitImage coverage(Resolution{100, 8});
+    for (int y = 0; y < coverage.size.height; ++y) {
+        coverage.at(0, y) = hit;
+    }
+    const ImageErrors errors = compare_images(image(black, white), coverage, image(white, white), coverage);
+    EXPECT_NEAR(*errors.flip, 0.967388, 5e-5);               // the authors' tool
+    EXPECT_NEAR(*errors.ssim, 1e-4 / (1 + 1e-4), rounding);  // C1 / (1 + C1): no variance, means 0 and 1
+}
+
 TEST(ImageErrors, NothingCoveredIsUndefined) {
     const ImageErrors errors =
         compare_images(row<Colour>({white}), row<Hit>({miss}), row<Colour>({black}), row<Hit>({miss}));
     EXPECT_FALSE(errors.rmse);
     EXPECT_FALSE(errors.psnr);
+    EXPECT_FALSE(errors.ssim);
+    EXPECT_FALSE(errors.flip);
 }
 
 }  // namespace
