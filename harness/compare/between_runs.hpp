@@ -7,9 +7,13 @@
 
 namespace reliefbench {
 
-/// From stored runs: one median (ms) of a cell and pass per run. The run is the unit of evidence. With few runs a side
-/// `noise` says how far the medians of identical runs lie apart on this machine. At least one run a side.
+/// From stored runs: one median (ms, positive) of a cell and pass per run, at least one a side. The run is the unit of
+/// evidence: a t interval on the logarithms, whose variance is pooled from both sides (identical code on one machine
+/// has one variance, and Welch's has too few degrees of freedom with three runs) and from `noise`, each weighted by its
+/// degrees of freedom: the moderated t of Smyth (2004). With one run a side it is the noise alone; noise of no degrees
+/// of freedom is left out where the runs have some of their own. `level`: the two-sided p-value that a verdict must
+/// pass, for `visible` and `more`.
 RatioEstimate estimate_between_runs(std::span<const double> base_ms, std::span<const double> new_ms,
-                                    const RunNoise& noise, double threshold);
+                                    const RunNoise& noise, double threshold, double level = highest_verdict_p);
 
 }  // namespace reliefbench

@@ -39,9 +39,10 @@ struct NoiseRecord {
     std::string configuration;
     struct Cell {
         std::string cell;
-        /// log(median ms) of every process, less nothing: the raw evidence.
+        /// log(median ms) of every process: the raw evidence.
         std::vector<double> log_median_ms;
-        /// The smallest change visible to interleaved pairs within one process, as a fraction; rounds it took.
+        /// The smallest change visible to interleaved pairs within one process, as a fraction (infinite: none, null in
+        /// the file); rounds it took.
         double visible_paired = 0;
         std::size_t rounds = 0;
     };
@@ -55,7 +56,7 @@ MachineKey machine_of(const Json& run);
 /// $RELIEFBENCH_STATE_DIR, else $XDG_STATE_HOME/reliefbench, else ~/.local/state/reliefbench.
 std::filesystem::path state_folder();
 
-/// Empty when none is kept for the machine; one that cannot be read is an Error.
+/// One file per machine in the folder. Empty when none is kept; one that cannot be read is an Error.
 std::optional<NoiseRecord> read_noise_record(const std::filesystem::path& state_folder, const MachineKey& machine);
 void write_noise_record(const std::filesystem::path& state_folder, const NoiseRecord& record);
 
