@@ -11,6 +11,7 @@ namespace reliefbench {
 /// relief can be seen in the footprint by the given view), hits outside and back faces rejected. Converges to
 /// ExactTracer as `subdivision` grows, and is what checks it. Embree counts in single precision: rays are given to it
 /// from just above the relief on, which leaves errors of some 1e-7 patch sides; nothing refines its hits.
+/// The portable build has no Embree: there the constructor throws Error.
 class MeshTracer {
 public:
     enum class Geometry { grid, triangles };

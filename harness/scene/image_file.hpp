@@ -8,7 +8,8 @@
 
 namespace reliefbench {
 
-/// The only place that knows OpenImageIO, so that a build can leave it out.
+/// The only place that knows OpenImageIO, so that a build can leave it out: the portable one has
+/// portable/image_file.cpp in place of image_file.cpp, which reads and writes less (plain_image_file.hpp).
 
 /// Raw channel values: integers divided by their maximum, floats as they are; unassociated alpha kept, no colour
 /// conversion. Row 0 is the top row of the file.
@@ -27,7 +28,7 @@ struct RasterFile {
 RasterFile read_raster_file(const std::filesystem::path& path);
 
 /// By extension: `.png` (8 bits, values clamped to [0, 1]) or `.exr` (32-bit float; the file keeps channels by name,
-/// not in order). Any channel names. `bits` is ignored. Nothing is left behind on failure.
+/// not in order; not in the portable build). Any channel names. `bits` is ignored. Nothing is left behind on failure.
 void write_raster_file(const std::filesystem::path& path, const RasterFile& raster);
 
 }  // namespace reliefbench

@@ -31,4 +31,14 @@ void write_with_openimageio(const std::filesystem::path& path, Resolution size, 
     ASSERT_TRUE(output->close());
 }
 
+/// Pixels as OpenImageIO itself reads them, which read_raster_file does not for every format.
+inline std::vector<float> read_with_openimageio(const std::filesystem::path& path) {
+    const auto input = OIIO::ImageInput::open(path.string());
+    if (!input) return {};
+    const OIIO::ImageSpec& spec = input->spec();
+    std::vector<float> values(static_cast<std::size_t>(spec.width) * spec.height * spec.nchannels);
+    return input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()) ? values
+                                                                                            : std::vector<float>{};
+}
+
 }  // namespace reliefbench

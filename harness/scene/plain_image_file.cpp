@@ -1,0 +1,125 @@
+#include "scene/plain_image_file.hpp"
+
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "scene/netpbm.hpp"
+#include "scene/raster_limits.hpp"
+
+#include <stb_image.h>
+#include <stb_image_write.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string_view>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr std::string_view png_magic = "\x89PNG\r\n\x1a\n";
+
+struct FreePixels {
+    void operator()(void* pixels) const { stbi_image_free(pixels); }
+};
+
+[[noreturn]] void fail_to_read(const std::filesystem::path& path) {
+    const char* reason = stbi_failure_reason();
+    fail("cannot read image '{}': {}; the file is damaged or cut short", path.string(),
+         reason ? reason : "no reason given");
+}
+
+std::vector<std::string> names_of_channels(int count) {
+    switch (count) {
+        case 1:
+            return {"Y"};
+        case 2:
+            return {"Y", "A"};
+        case 3:
+            return {"R", "G", "B"};
+        default:
+            return {"R", "G", "B", "A"};
+    }
+}
+
+template <typename Stored>
+std::vector<float> fractions_of_maximum(const Stored* stored, std::size_t count) {
+    constexpr double maximum = std::numeric_limits<Stored>::max();
+    std::vector<float> values(count);
+    std::transform(stored, stored + count, values.begin(),
+                   [](Stored value) { return static_cast<float>(value / maximum); });
+    return values;
+}
+
+RasterFile parse_png(std::string_view bytes, const std::filesystem::path& path) {
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    if (bytes.size() > std::numeric_limits<int>::max()) fail("cannot read image '{}': it is too large", path.string());
+    const int length = static_cast<int>(bytes.size());
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    if (!stbi_info_from_memory(data, length, &width, &height, &channels)) fail_to_read(path);
+    check_raster_size(path, width, height, channels);
+
+    RasterFile raster;
+    raster.size = {width, height};
+    raster.channel_names = names_of_channels(channels);
+    const std::size_t count = raster.size.pixels() * static_cast<std::size_t>(channels);
+    if (stbi_is_16_bit_from_memory(data, length)) {
+        const std::unique_ptr<stbi_us, FreePixels> pixels(
+            stbi_load_16_from_memory(data, length, &width, &height, &channels, channels));
+        if (!pixels) fail_to_read(path);
+        raster.bits = 16;
+        raster.values = fractions_of_maximum(pixels.get(), count);
+    } else {
+        const std::unique_ptr<stbi_uc, FreePixels> pixels(
+            stbi_load_from_memory(data, length, &width, &height, &channels, channels));
+        if (!pixels) fail_to_read(path);
+        raster.bits = 8;
+        raster.values = fractions_of_maximum(pixels.get(), count);
+    }
+    return raster;
+}
+
+std::string format_png(const RasterFile& raster, const std::filesystem::path& path) {
+    check_png_channels(path, raster.channels());
+    std::string bytes;
+    const auto append = [](void* target, void* data, int size) {
+        static_cast<std::string*>(target)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+    };
+    const std::vector<std::uint8_t> pixels = to_bytes(raster.values);
+    const bool written =
+        stbi_write_png_to_func(append, &bytes, raster.size.width, raster.size.height, raster.channels(), pixels.data(),
+                               raster.size.width * raster.channels()) != 0;
+    if (!written) fail("cannot write image '{}': the picture cannot be encoded as PNG", path.string());
+    return bytes;
+}
+
+}  // namespace
+
+RasterFile read_plain_image(const std::filesystem::path& path) {
+    const std::string bytes = read_text_file(path);
+    if (is_netpbm(bytes)) return parse_netpbm(bytes, path);
+    if (bytes.starts_with(png_magic)) return parse_png(bytes, path);
+    fail(
+        "cannot read image '{}': this portable build reads PNG, PFM and binary PGM and PPM only; convert it, or use a "
+        "build with OpenImageIO",
+        path.string());
+}
+
+void write_plain_image(const std::filesystem::path& path, const RasterFile& raster) {
+    assert(raster.values.size() == raster.size.pixels() * raster.channel_names.size());
+    const std::string extension = path.extension().string();
+    if (extension == ".png") {
+        write_text_file(path, format_png(raster, path));
+    } else if (extension == ".pfm") {
+        write_text_file(path, format_pfm(raster, path));
+    } else {
+        fail("cannot write image '{}': this portable build writes .png and .pfm; .exr takes a build with OpenImageIO",
+             path.string());
+    }
+}
+
+}  // namespace reliefbench

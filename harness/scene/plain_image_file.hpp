@@ -1,0 +1,16 @@
+#pragma once
+
+#include "scene/image_file.hpp"
+
+namespace reliefbench {
+
+/// What a build without OpenImageIO reads and writes, under the contract of image_file.hpp. Every build has it, so that
+/// every build tests it.
+
+/// PNG (8 and 16 bits), binary PGM and PPM, and PFM: told by content, not by name.
+RasterFile read_plain_image(const std::filesystem::path& path);
+
+/// `.png` or `.pfm`, by extension.
+void write_plain_image(const std::filesystem::path& path, const RasterFile& raster);
+
+}  // namespace reliefbench

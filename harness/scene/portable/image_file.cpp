@@ -1,0 +1,15 @@
+#include "scene/image_file.hpp"
+
+#include "scene/plain_image_file.hpp"
+
+namespace reliefbench {
+
+RasterFile read_raster_file(const std::filesystem::path& path) {
+    return read_plain_image(path);
+}
+
+void write_raster_file(const std::filesystem::path& path, const RasterFile& raster) {
+    write_plain_image(path, raster);
+}
+
+}  // namespace reliefbench
