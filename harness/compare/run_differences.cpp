@@ -1,0 +1,170 @@
+#include "compare/run_differences.hpp"
+
+#include "core/suggest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <utility>
+
+namespace reliefbench {
+
+namespace {
+
+/// Null where a member on the way is missing: records of other versions lack some.
+Json value_at(const Json& json, std::initializer_list<const char*> path) {
+    const Json* value = &json;
+    for (const char* key : path) {
+        if (!value->is_object() || !value->contains(key)) return nullptr;
+        value = &value->at(key);
+    }
+    return *value;
+}
+
+Json value_at(const StoredRun& run, std::initializer_list<const char*> path) {
+    return value_at(run.run.run, path);
+}
+
+/// As a reader wants it: strings without quotes.
+std::string text_of(const Json& value) {
+    if (value.is_null()) return "unknown";
+    if (value.is_string()) return value.get<std::string>();
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// "<what> differs: <base> in the base, <new> now", for each member of two objects that differs.
+void append_member_differences(std::vector<std::string>& differences, const std::string& what, const Json& base,
+                               const Json& changed) {
+    std::vector<std::string> names;
+    for (const Json* side : {&base, &changed}) {
+        if (!side->is_object()) continue;
+        for (const auto& [name, value] : side->items()) {
+            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        }
+    }
+    for (const std::string& name : names) {
+        const Json before = value_at(base, {name.c_str()});
+        const Json after = value_at(changed, {name.c_str()});
+        if (before != after) {
+            differences.push_back(
+                fmt::format("{} {} was {} in the base and is {} now", what, name, text_of(before), text_of(after)));
+        }
+    }
+}
+
+/// The record of the height map that the cell was drawn with; null when there is none.
+Json height_map_of(const StoredRun& run, const CellResult& cell) {
+    const Json size_axis = value_at(cell.axes, {"heightmap_size"});
+    const Json maps = value_at(run, {"height_maps"});
+    if (!maps.is_array()) return nullptr;
+    for (const Json& map : maps) {
+        if (value_at(map, {"name"}) != value_at(cell.axes, {"heightmap"})) continue;
+        if (value_at(map, {"format"}) != value_at(cell.axes, {"height_format"})) continue;
+        const Json size = value_at(map, {"size"});
+        // A file's size is no axis.
+        if (size_axis.is_string() && size.is_array() && size.size() == 2 &&
+            size_axis.get<std::string>() != text_of(size[0]) + "x" + text_of(size[1])) {
+            continue;
+        }
+        return map;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+std::string device_difference(const StoredRun& base, const StoredRun& changed) {
+    for (const char* key : {"name", "type"}) {
+        const Json before = value_at(base, {"device", key});
+        const Json after = value_at(changed, {"device", key});
+        if (before != after) {
+            return fmt::format("{} ran on '{}' ({}), {} on '{}' ({})", base.name,
+                               text_of(value_at(base, {"device", "name"})), text_of(value_at(base, {"device", "type"})),
+                               changed.name, text_of(value_at(changed, {"device", "name"})),
+                               text_of(value_at(changed, {"device", "type"})));
+        }
+    }
+    const Json cpu_before = value_at(base, {"environment", "cpu"});
+    const Json cpu_after = value_at(changed, {"environment", "cpu"});
+    if (value_at(base, {"device", "type"}) == "CPU" && cpu_before != cpu_after) {
+        return fmt::format("the device is a CPU, and {} ran on '{}', {} on '{}'", base.name, text_of(cpu_before),
+                           changed.name, text_of(cpu_after));
+    }
+    return "";
+}
+
+bool same_truth(const StoredRun& base, const StoredRun& changed) {
+    return value_at(base, {"configuration", "truth"}) == value_at(changed, {"configuration", "truth"});
+}
+
+bool same_lighting(const StoredRun& base, const StoredRun& changed) {
+    return value_at(base, {"configuration", "lighting"}) == value_at(changed, {"configuration", "lighting"});
+}
+
+bool same_source(const StoredRun& base, const StoredRun& changed, const std::string& technique) {
+    const Json before = value_at(base, {"techniques", technique.c_str()});
+    return !before.is_null() && before == value_at(changed, {"techniques", technique.c_str()});
+}
+
+std::vector<std::string> run_differences(const StoredRun& base, const StoredRun& changed) {
+    std::vector<std::string> differences;
+    const auto compare = [&](const char* what, std::initializer_list<const char*> path) {
+        const Json before = value_at(base, path);
+        const Json after = value_at(changed, path);
+        if (before != after) {
+            differences.push_back(
+                fmt::format("{} was {} in the base and is {} now", what, text_of(before), text_of(after)));
+        }
+    };
+    compare("the driver", {"device", "driver"});
+    compare("the driver's version", {"device", "driver_version"});
+    compare("the tool's version", {"environment", "tool_version"});
+    compare("the git revision", {"environment", "git_revision"});
+    for (const auto& [run, side] : {std::pair(&base, "base"), std::pair(&changed, "new side")}) {
+        if (value_at(*run, {"environment", "git_dirty"}) == true) {
+            differences.push_back(fmt::format("the {} was made from a work tree with changes not committed", side));
+        }
+    }
+    std::vector<std::string> sources;
+    const Json techniques = value_at(base, {"techniques"});
+    for (const auto& [technique, hash] : techniques.items()) {
+        const Json after = value_at(changed, {"techniques", technique.c_str()});
+        if (!after.is_null() && after != hash) sources.push_back(technique);
+    }
+    if (!sources.empty()) differences.push_back("the sources of these techniques differ: " + join(sources));
+    append_member_differences(differences, "sampling:", value_at(base, {"configuration", "sampling"}),
+                              value_at(changed, {"configuration", "sampling"}));
+    if (!same_truth(base, changed)) {
+        append_member_differences(differences, "truth:", value_at(base, {"configuration", "truth"}),
+                                  value_at(changed, {"configuration", "truth"}));
+        differences.push_back("the truths differ, so errors and pictures are not compared");
+    } else if (!same_lighting(base, changed)) {
+        differences.push_back("the lighting differs, so pictures are not compared");
+    }
+    compare("the CPU", {"environment", "cpu"});
+    compare("the number of cores", {"environment", "cores"});
+    compare("the operating system", {"environment", "os"});
+    return differences;
+}
+
+std::string subject_difference(const StoredRun& base, const CellResult& base_cell, const StoredRun& changed,
+                               const CellResult& changed_cell) {
+    std::vector<std::string> differences;
+    append_member_differences(differences, "the parameter", base_cell.parameters, changed_cell.parameters);
+    append_member_differences(differences, "the axis", base_cell.axes, changed_cell.axes);
+    const Json map_before = height_map_of(base, base_cell);
+    const Json map_after = height_map_of(changed, changed_cell);
+    if (map_before.is_object() && map_after.is_object()) {
+        const std::string name = text_of(value_at(map_before, {"name"}));
+        if (value_at(map_before, {"hash"}) != value_at(map_after, {"hash"})) {
+            differences.push_back(fmt::format("the content of its height map {} changed", name));
+        }
+        if (value_at(map_before, {"albedo_hash"}) != value_at(map_after, {"albedo_hash"})) {
+            differences.push_back(fmt::format("the content of the albedo of its height map {} changed", name));
+        }
+    }
+    return join(differences, "; ");
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "compare/stored_run.hpp"
+
+#include <string>
+#include <vector>
+
+namespace reliefbench {
+
+/// Why the times of two runs say nothing of each other: another device, or for a CPU device another CPU. Empty when
+/// there is no reason.
+std::string device_difference(const StoredRun& base, const StoredRun& changed);
+
+/// What else differs between the records of two runs, in words: driver, tool, sources of the techniques that both have,
+/// sampling, truth, lighting, CPU, operating system.
+std::vector<std::string> run_differences(const StoredRun& base, const StoredRun& changed);
+
+bool same_truth(const StoredRun& base, const StoredRun& changed);
+bool same_lighting(const StoredRun& base, const StoredRun& changed);
+/// The technique's own folder has the same content on both sides.
+bool same_source(const StoredRun& base, const StoredRun& changed, const std::string& technique);
+
+/// Why two results of one cell id are of different subjects: parameters (a default changed), axes, or the content of
+/// the height map or its albedo. Empty when they are not.
+std::string subject_difference(const StoredRun& base, const CellResult& base_cell, const StoredRun& changed,
+                               const CellResult& changed_cell);
+
+}  // namespace reliefbench
