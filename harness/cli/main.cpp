@@ -68,6 +68,7 @@ int main(int argc, char** argv) {
     add_run_command(app, chosen, {argv, argv + argc});
     add_render_command(app, chosen);
     add_verify_command(app, chosen);
+    add_export_command(app, chosen);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

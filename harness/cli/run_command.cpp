@@ -1,8 +1,10 @@
 #include "cli/command.hpp"
+#include "cli/export_target.hpp"
 #include "cli/progress_printer.hpp"
 #include "cli/run_sources.hpp"
 #include "cli/shared_options.hpp"
 #include "core/log.hpp"
+#include "core/suggest.hpp"
 #include "measure/clock.hpp"
 #include "measure/run.hpp"
 #include "measure/run_record.hpp"
@@ -28,6 +30,7 @@ struct RunOptions {
     std::string output;
     std::vector<std::string> axes;
     std::vector<std::string> filters;
+    std::vector<std::string> exports;
     bool dry_run = false;
     TechniqueOptions library;
     DeviceChoice device;
@@ -86,6 +89,7 @@ ExitCode report_failures(const std::vector<CellResult>& cells) {
 
 ExitCode run(const RunOptions& options) {
     const double start_s = steady_clock().seconds();
+    const std::vector<ExportTarget> exports = parse_export_targets(options.exports);
     const RunSources sources = read_run_sources(options.configuration, options.axes, options.filters, options.library);
     if (options.dry_run) return print_plan(sources.cells);
 
@@ -109,6 +113,7 @@ ExitCode run(const RunOptions& options) {
     outcome.split.total_s = steady_clock().seconds() - start_s;
     fmt::print("{}", format_table(outcome.cells));
     print_split(outcome.split);
+    write_exports(writer.folder(), exports);
     return graver(report_failures(outcome.cells), check_validation(device));
 }
 
@@ -133,6 +138,10 @@ void add_run_command(CLI::App& app, ChosenCommand& chosen, const std::vector<std
                         "Keep only cells that fulfil this: technique=pom,qdm, view_angle>=60 (may be repeated; all "
                         "must hold)")
         ->type_name("EXPR");
+    add_repeated_option(
+        *command, "--export", options->exports,
+        "Write the finished run for other tools, too: " + join(export_format_names()) + " (may be repeated)")
+        ->type_name("FORMAT=FILE");
     command->add_flag("--dry-run", options->dry_run, "Print blocks and cells; measure and write nothing");
     options->library.add_to(*command);
     options->device.add_to(*command);

@@ -26,6 +26,7 @@ Json quality_to_json(const QualityComparison& quality) {
         entry["base"] = number(change.base);
         entry["new"] = number(change.changed);
         entry["worse"] = change.worse;
+        entry["better"] = change.better;
         json["changes"].push_back(std::move(entry));
     }
     return json;

@@ -41,19 +41,29 @@ std::string format_changed(const Comparison& comparison) {
     return cut_table({"time", "cell", "change", "95 %", "visible"}, "llrrr", rows) + '\n';
 }
 
+void add_changes(Rows& rows, const std::string& title, const std::vector<const CellComparison*>& cells) {
+    for (const CellComparison* cell : cells) {
+        std::string changes;
+        for (const std::string& change : quality_change_texts(cell->quality, fields_named)) {
+            changes += (changes.empty() ? "" : "<br>") + markdown_text(change);
+        }
+        rows.push_back({title, markdown_code(cell->cell), changes});
+    }
+}
+
 std::string format_quality(const Comparison& comparison) {
     Rows rows;
-    for (const QualityVerdict verdict : {QualityVerdict::worse, QualityVerdict::better}) {
-        for (const CellComparison* cell : cells_with(comparison, verdict)) {
-            std::string changes;
-            for (const std::string& change : quality_change_texts(cell->quality, fields_named)) {
-                changes += (changes.empty() ? "" : "<br>") + markdown_text(change);
-            }
-            rows.push_back(
-                {verdict == QualityVerdict::worse ? "**worse**" : "better", markdown_code(cell->cell), changes});
-        }
-    }
+    add_changes(rows, "**worse**", cells_with(comparison, QualityVerdict::worse));
+    add_changes(rows, "better", cells_with(comparison, QualityVerdict::better));
     return rows.empty() ? "" : cut_table({"quality", "cell", "base → new"}, "lll", rows) + '\n';
+}
+
+std::string format_other_changes(const Comparison& comparison) {
+    Rows rows;
+    add_changes(rows, "same", cells_with_other_changes(comparison));
+    if (rows.empty()) return "";
+    return markdown_details(fmt::format("{} with other changes", counted(rows.size(), "cell")),
+                            cut_table({"quality", "cell", "base → new"}, "lll", rows));
 }
 
 Rows uncompared_rows(const Comparison& comparison, bool failed_now) {
@@ -103,7 +113,7 @@ std::string format_comparison_markdown(const Comparison& comparison) {
             "smallest change that this evidence would have shown.\n\n",
             percent_text(comparison.threshold));
     }
-    text += format_undecided(comparison);
+    text += format_undecided(comparison) + format_other_changes(comparison);
     if (const Rows rows = uncompared_rows(comparison, false); !rows.empty()) {
         text += markdown_details(fmt::format("{} not compared", counted(rows.size(), "cell")),
                                  cut_table({"cell", "why"}, "ll", rows));

@@ -71,11 +71,10 @@ std::string format_verdict(const Comparison& comparison, Verdict verdict, std::s
                        format_rows(titles, figures, ids, columns));
 }
 
-std::string format_quality(const Comparison& comparison, QualityVerdict verdict,
+std::string format_changes(std::string_view title, const std::vector<const CellComparison*>& cells,
                            const ComparisonTableOptions& options) {
-    const std::vector<const CellComparison*> cells = cells_with(comparison, verdict);
     if (cells.empty()) return "";
-    std::string text = fmt::format("{} quality, {}\n", to_string(verdict), counted(cells.size(), "cell"));
+    std::string text = fmt::format("{}, {}\n", title, counted(cells.size(), "cell"));
     for (const CellComparison* cell : cells) {
         text += indented(cell->cell, space_between, options.columns);
         const std::size_t limit = options.all ? std::numeric_limits<std::size_t>::max() : fields_named;
@@ -116,9 +115,9 @@ std::string format_comparison_table(const Comparison& comparison, const Comparis
         text += format_verdict(comparison, verdict, options.columns);
     }
     if (options.all) text += format_verdict(comparison, Verdict::same, options.columns);
-    for (const QualityVerdict verdict : {QualityVerdict::worse, QualityVerdict::better}) {
-        text += format_quality(comparison, verdict, options);
-    }
+    text += format_changes("worse quality", cells_with(comparison, QualityVerdict::worse), options);
+    text += format_changes("better quality", cells_with(comparison, QualityVerdict::better), options);
+    text += format_changes("same quality, other changes", cells_with_other_changes(comparison), options);
     text += format_uncompared(comparison, options);
     if (!comparison.cells.empty()) {
         text += indented(fmt::format("threshold {}; change: of the time, new against base; 95 %: its interval; "

@@ -1,5 +1,6 @@
 #include "report/comparison_words.hpp"
 
+#include "compare/describe.hpp"
 #include "report/text_layout.hpp"
 
 #include <fmt/format.h>
@@ -13,21 +14,30 @@ namespace {
 
 constexpr const char* undefined = "-";
 
-/// Without its unit; one decimal says enough of what a threshold of 1 % decides. The minus is the typographic one, so
-/// that it does not look like the dash of what is undefined.
-std::string signed_percent(double ratio) {
-    const double percent = 100 * (ratio - 1);
-    if (!std::isfinite(percent)) return undefined;
-    const std::string digits = fmt::format("{:.{}f}", std::abs(percent), std::abs(percent) < 99.95 ? 1 : 0);
-    if (digits == "0.0") return digits;
-    return (percent < 0 ? "−" : "+") + digits;
-}
-
 /// Of the larger side; a value that one side lacks counts as a whole one.
 double relative_size(const QualityChange& change) {
     if (!change.base || !change.changed) return 1;
     const double larger = std::max(std::abs(*change.base), std::abs(*change.changed));
     return larger > 0 ? std::abs(*change.changed - *change.base) / larger : 0;
+}
+
+/// Those of whom `is_wanted` says so, the largest change first.
+template <typename IsWanted>
+std::vector<const CellComparison*> changed_cells(const Comparison& comparison, IsWanted&& is_wanted) {
+    std::vector<const CellComparison*> cells;
+    for (const CellComparison& cell : comparison.cells) {
+        if (is_wanted(cell.quality)) cells.push_back(&cell);
+    }
+    const auto largest = [](const CellComparison* cell) {
+        double size = 0;
+        for (const QualityChange& change : cell->quality.changes) {
+            size = std::max(size, relative_size(change));
+        }
+        return size;
+    };
+    std::stable_sort(cells.begin(), cells.end(),
+                     [&](const CellComparison* a, const CellComparison* b) { return largest(a) > largest(b); });
+    return cells;
 }
 
 std::string value_text(const std::optional<double>& value, int digits) {
@@ -77,20 +87,14 @@ std::vector<const CellComparison*> cells_with(const Comparison& comparison, Verd
 }
 
 std::vector<const CellComparison*> cells_with(const Comparison& comparison, QualityVerdict verdict) {
-    std::vector<const CellComparison*> cells;
-    for (const CellComparison& cell : comparison.cells) {
-        if (cell.quality.verdict == verdict) cells.push_back(&cell);
-    }
-    const auto largest = [](const CellComparison* cell) {
-        double size = 0;
-        for (const QualityChange& change : cell->quality.changes) {
-            size = std::max(size, relative_size(change));
-        }
-        return size;
-    };
-    std::stable_sort(cells.begin(), cells.end(),
-                     [&](const CellComparison* a, const CellComparison* b) { return largest(a) > largest(b); });
-    return cells;
+    return changed_cells(comparison,
+                         [verdict](const QualityComparison& quality) { return quality.verdict == verdict; });
+}
+
+std::vector<const CellComparison*> cells_with_other_changes(const Comparison& comparison) {
+    return changed_cells(comparison, [](const QualityComparison& quality) {
+        return quality.verdict == QualityVerdict::same && !quality.changes.empty();
+    });
 }
 
 std::vector<UncomparedGroup> uncompared_by_reason(const Comparison& comparison) {
@@ -119,18 +123,19 @@ std::string_view to_string(QualityVerdict verdict) {
 }
 
 std::string change_text(double ratio) {
-    const std::string percent = signed_percent(ratio);
-    return percent == undefined ? percent : percent + " %";
+    return std::isfinite(ratio) ? signed_percent(ratio - 1) : undefined;
 }
 
 std::string change_interval_text(const Interval& ratios) {
-    return fmt::format("{} to {} %", signed_percent(ratios.low), signed_percent(ratios.high));
+    if (!std::isfinite(ratios.low) || !std::isfinite(ratios.high)) return undefined;
+    constexpr std::string_view unit = " %";
+    std::string low = signed_percent(ratios.low - 1);
+    low.resize(low.size() - unit.size());
+    return fmt::format("{} to {}", low, signed_percent(ratios.high - 1));
 }
 
 std::string percent_text(double fraction) {
-    if (!std::isfinite(fraction)) return undefined;
-    const double percent = 100 * fraction;
-    return fmt::format("{:.{}f} %", percent, percent < 99.95 ? 1 : 0);
+    return std::isfinite(fraction) ? percent(fraction) : undefined;
 }
 
 std::string more_text(const RatioEstimate& estimate) {
@@ -154,6 +159,7 @@ std::vector<std::string> quality_change_texts(const QualityComparison& quality, 
     }
     std::stable_sort(changes.begin(), changes.end(), [](const QualityChange* a, const QualityChange* b) {
         if (a->worse != b->worse) return a->worse;
+        if (a->better != b->better) return a->better;
         return relative_size(*a) > relative_size(*b);
     });
     std::vector<std::string> texts;

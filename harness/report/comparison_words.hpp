@@ -24,6 +24,8 @@ std::string summary_line(const Comparison& comparison);
 /// Of one verdict, the largest change first. Refers to the comparison.
 std::vector<const CellComparison*> cells_with(const Comparison& comparison, Verdict verdict);
 std::vector<const CellComparison*> cells_with(const Comparison& comparison, QualityVerdict verdict);
+/// Of the same quality, but something else of what was drawn changed: taps, steps, memory, counts of pixels.
+std::vector<const CellComparison*> cells_with_other_changes(const Comparison& comparison);
 
 /// Equal reasons together, cells that failed now first.
 struct UncomparedGroup {
@@ -35,9 +37,9 @@ std::vector<UncomparedGroup> uncompared_by_reason(const Comparison& comparison);
 
 std::string_view to_string(QualityVerdict verdict);
 
-/// The change that a ratio is: "+7.2 %", "−6.5 %", "0.0 %".
+/// The change that a ratio is: "+7.2 %", "−6.5 %".
 std::string change_text(double ratio);
-/// "+5.1 to +9.4 %".
+/// "+5.1 to +9.4 %"; "-" where the evidence is too little for any.
 std::string change_interval_text(const Interval& ratios);
 /// Of a fraction: "3.1 %"; "-" for what is not finite.
 std::string percent_text(double fraction);
@@ -46,7 +48,7 @@ std::string more_text(const RatioEstimate& estimate);
 
 /// "error.uv_texels.p99 0.750 → 0.810"; "-" where a side has none.
 std::string quality_change_text(const QualityChange& change);
-/// The `limit` largest changes, those for the worse first; "and 3 more" at the end.
+/// The `limit` largest changes, those for the worse first, then those for the better; "and 3 more" at the end.
 std::vector<std::string> quality_change_texts(const QualityComparison& quality, std::size_t limit);
 
 }  // namespace reliefbench

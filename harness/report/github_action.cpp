@@ -1,0 +1,42 @@
+#include "report/github_action.hpp"
+
+#include "report/text_layout.hpp"
+
+#include <fmt/format.h>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr const char* draw_pass = "draw";
+
+std::string extra_of(const CellResult& cell, const PassTiming& draw) {
+    std::string extra = fmt::format("95 % interval of the median: {} to {} ms\n{} samples",
+                                    significant(draw.ci95_ms.low, 4), significant(draw.ci95_ms.high, 4), draw.n);
+    if (cell.work) extra += fmt::format("\n{} taps per pixel", significant(cell.work->taps_mean));
+    if (cell.error && cell.error->uv_texels) {
+        extra += fmt::format("\nUV error p99: {} texels", significant(cell.error->uv_texels->p99));
+    }
+    return extra;
+}
+
+}  // namespace
+
+std::string format_github_action(const Run& run) {
+    Json entries = Json::array();
+    for (const CellResult& cell : run.cells) {
+        const auto draw = cell.time.find(draw_pass);
+        if (cell.status != CellStatus::ok || draw == cell.time.end()) continue;
+        Json entry;
+        entry["name"] = cell.cell;
+        entry["unit"] = "ms";
+        entry["value"] = draw->second.median_ms;
+        entry["range"] = "± " + significant(draw->second.mad_ms);
+        entry["extra"] = extra_of(cell, draw->second);
+        entries.push_back(std::move(entry));
+    }
+    constexpr int indent = 2;
+    return entries.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace reliefbench

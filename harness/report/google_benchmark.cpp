@@ -1,0 +1,159 @@
+#include "report/google_benchmark.hpp"
+
+#include "core/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr const char* draw_pass = "draw";
+/// compare.py prints times without decimals.
+constexpr const char* time_unit = "ns";
+constexpr double ns_per_ms = 1e6;
+
+using Counters = std::vector<std::pair<std::string, double>>;
+
+/// Under the names that `reliefbench bench` gives them.
+Counters counters_of(const CellResult& cell) {
+    Counters counters;
+    const auto add = [&](const char* name, double value) {
+        if (std::isfinite(value)) counters.emplace_back(name, value);
+    };
+    if (cell.work) add("taps", cell.work->taps_mean);
+    if (cell.error) {
+        if (cell.error->uv_texels) add("uv_error_p99_texels", cell.error->uv_texels->p99);
+        add("missed_and_false_hits", cell.error->missed + cell.error->false_hits);
+    }
+    if (cell.prepare_bytes) add("prepare_bytes", static_cast<double>(*cell.prepare_bytes));
+    return counters;
+}
+
+/// A member of the run's record, or null.
+Json member(const Json& record, const char* object, const char* key) {
+    const auto found = record.find(object);
+    if (found == record.end() || !found->is_object()) return nullptr;
+    return found->value(key, Json(nullptr));
+}
+
+Json context_of(const Json& record) {
+    Json context;
+    const auto add = [&](const char* key, const Json& value) {
+        if (!value.is_null()) context[key] = value;
+    };
+    add("date", member(record, "environment", "time"));
+    context["host_name"] = "";
+    context["executable"] = "reliefbench";
+    add("num_cpus", member(record, "environment", "cores"));
+    context["caches"] = Json::array();
+    context["load_avg"] = Json::array();
+    context["library_build_type"] = "release";  // what is timed runs on the device, however the tool was built
+    add("device", member(record, "device", "name"));
+    add("driver", member(record, "device", "driver"));
+    add("driver_version", member(record, "device", "driver_version"));
+    add("tool_version", member(record, "environment", "tool_version"));
+    add("git_revision", member(record, "environment", "git_revision"));
+    add("configuration", member(record, "configuration", "name"));
+    return context;
+}
+
+/// All entries of one cell begin alike.
+Json entry_of(const std::string& id, std::size_t family, const std::string& suffix, const char* run_type,
+              std::size_t repetitions) {
+    Json entry;
+    entry["name"] = id + suffix;
+    entry["family_index"] = family;
+    entry["per_family_instance_index"] = 0;
+    entry["run_name"] = id;
+    entry["run_type"] = run_type;
+    entry["repetitions"] = repetitions;
+    return entry;
+}
+
+void add_time(Json& entry, std::size_t iterations, double time) {
+    entry["iterations"] = iterations;
+    entry["real_time"] = time;
+    entry["cpu_time"] = time;
+    entry["time_unit"] = time_unit;
+}
+
+void add_repetitions(Json& benchmarks, const std::string& id, std::size_t family, const std::vector<double>& times,
+                     std::size_t draws, const Counters& counters) {
+    for (std::size_t index = 0; index < times.size(); ++index) {
+        Json entry = entry_of(id, family, "", "iteration", times.size());
+        entry["repetition_index"] = index;
+        entry["threads"] = 1;
+        add_time(entry, draws, times[index]);
+        for (const auto& [name, value] : counters) {
+            entry[name] = value;
+        }
+        benchmarks.push_back(std::move(entry));
+    }
+}
+
+/// Counters are the same in every round: their mean and median are they, their spread is 0.
+void add_aggregates(Json& benchmarks, const std::string& id, std::size_t family, const std::vector<double>& times,
+                    const Counters& counters) {
+    const double size = static_cast<double>(times.size());
+    const double mean = std::accumulate(times.begin(), times.end(), 0.0) / size;
+    double squares = 0;
+    for (const double time : times) {
+        squares += (time - mean) * (time - mean);
+    }
+    const double deviation = std::sqrt(squares / (size - 1));
+    struct Aggregate {
+        const char* name;
+        const char* unit;
+        double time;
+        bool of_spread;
+    };
+    for (const Aggregate& aggregate :
+         {Aggregate{"mean", "time", mean, false}, Aggregate{"median", "time", median(times), false},
+          Aggregate{"stddev", "time", deviation, true},
+          Aggregate{"cv", "percentage", mean > 0 ? deviation / mean : 0, true}}) {
+        Json entry = entry_of(id, family, std::string("_") + aggregate.name, "aggregate", times.size());
+        entry["threads"] = 1;
+        entry["aggregate_name"] = aggregate.name;
+        entry["aggregate_unit"] = aggregate.unit;
+        add_time(entry, times.size(), aggregate.time);
+        for (const auto& [name, value] : counters) {
+            entry[name] = aggregate.of_spread ? 0.0 : value;
+        }
+        benchmarks.push_back(std::move(entry));
+    }
+}
+
+}  // namespace
+
+std::string format_google_benchmark(const Run& run, const RoundMedians& rounds) {
+    Json benchmarks = Json::array();
+    std::size_t family = 0;
+    for (const CellResult& cell : run.cells) {
+        const auto draw = cell.time.find(draw_pass);
+        if (cell.status != CellStatus::ok || draw == cell.time.end()) continue;
+        const auto measured = rounds.find(cell.cell);
+        std::vector<double> times =
+            measured != rounds.end() ? measured->second : std::vector<double>{draw->second.median_ms};
+        for (double& time : times) {
+            time *= ns_per_ms;
+        }
+        const std::size_t samples = std::max<std::size_t>(1, draw->second.n / times.size());
+        const Counters counters = counters_of(cell);
+        add_repetitions(benchmarks, cell.cell, family, times, samples * static_cast<std::size_t>(draw->second.repeats),
+                        counters);
+        if (times.size() > 1) add_aggregates(benchmarks, cell.cell, family, times, counters);
+        ++family;
+    }
+    Json document;
+    document["context"] = context_of(run.run);
+    document["benchmarks"] = std::move(benchmarks);
+    constexpr int indent = 2;
+    return document.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,55 @@
+#include "report/workflow_commands.hpp"
+
+#include "comparison_sample.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace reliefbench;
+
+namespace {
+
+using testing::HasSubstr;
+
+TEST(WorkflowCommands, EscapeWhatEndsThem) {
+    EXPECT_EQ(workflow_command(Annotation::error, "50 %, a: b", "50 %, a: b\r\nc"),
+              "::error title=50 %25%2C a%3A b::50 %25, a: b%0D%0Ac\n");
+    EXPECT_EQ(workflow_command(Annotation::warning, "t", "::set-output name=a::b"),
+              "::warning title=t::::set-output name=a::b\n");
+}
+
+TEST(WorkflowCommands, OneForEachVerdictThatMattersAndASummary) {
+    EXPECT_EQ(format_workflow_commands(sample_comparison()),
+              R"(::error title=slower +150 %25::steep | view_angle=0%0Aslower because
+::error title=slower +7.2 %25::steep | view_angle=60%0Aslower because
+::error title=worse quality::pom | view_angle=60%0Aerror.uv_texels.p99 0.750 → 0.810, error.missed 0.0200 → 0.0100, image.psnr - → 40.0
+::error title=failed now::mine | view_angle=60%0Aok in the base, failed now: trace.glsl:3: error
+::warning title=the sides differ::the driver changed: Mesa 22.3.6, now Mesa 23.0.0
+::warning title=not compared::2 cells: only in the base
+::warning title=undecided::qdm | view_angle=60%0Aundecided because
+::notice title=reliefbench::5 cells compared: 2 slower, 1 undecided, 1 faster, 1 same; quality: 1 worse, 0 better; 3 not compared, 1 of them failed now
+::notice title=faster −20 %25::relief | view_angle=60%0Afaster because
+)");
+}
+
+TEST(WorkflowCommands, NoMoreOfAKindThanGitHubShows) {
+    Comparison comparison;
+    for (int cell = 0; cell < 12; ++cell) {
+        comparison.cells.push_back(
+            compared("cell" + std::to_string(cell), Verdict::slower, 2 - cell * 0.01, {1.5, 2.5}));
+    }
+    const std::string text = format_workflow_commands(comparison);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 11);  // ten errors and the summary
+    EXPECT_THAT(text, HasSubstr("::error title=3 more::slower +91 %25: cell9%0Aslower +90 %25: cell10%0A"
+                                "slower +89 %25: cell11\n"));
+    comparison.cells.resize(10);
+    EXPECT_THAT(format_workflow_commands(comparison), testing::Not(HasSubstr(" more::")));
+}
+
+TEST(WorkflowCommands, NothingComparedIsSaid) {
+    EXPECT_EQ(format_workflow_commands({}), "::notice title=reliefbench::0 cells compared\n");
+}
+
+}  // namespace
