@@ -1,0 +1,378 @@
+#include "compare/compare_runs.hpp"
+
+#include "compare/between_runs.hpp"
+#include "compare/describe.hpp"
+#include "compare/run_differences.hpp"
+#include "compare/run_noise.hpp"
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <map>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr const char* compared_pass = "draw";
+
+/// Enough for the runs to tell their own noise: three a side.
+constexpr std::size_t fewest_own_degrees_of_freedom = 4;
+
+/// Half the width of a 95 % interval in standard deviations.
+constexpr double half_width_of_95 = 1.96;
+
+/// One cell over the runs of a side.
+struct SideCell {
+    /// Measured, each with its run.
+    std::vector<const CellResult*> measured;
+    std::vector<const StoredRun*> runs;
+    /// The first that was not, and how many were not.
+    const CellResult* unmeasured = nullptr;
+    std::size_t unmeasured_count = 0;
+
+    std::vector<double> milliseconds() const {
+        std::vector<double> values;
+        for (const CellResult* result : measured) {
+            values.push_back(result->time.at(compared_pass).median_ms);
+        }
+        return values;
+    }
+};
+
+struct Side {
+    std::span<const StoredRun> runs;
+    /// In the order of their first appearance.
+    std::vector<std::string> order;
+    std::map<std::string, SideCell> cells;
+};
+
+bool is_timed(const CellResult& result) {
+    const auto draw = result.time.find(compared_pass);
+    return result.status == CellStatus::ok && draw != result.time.end() && draw->second.median_ms > 0;
+}
+
+Side gather(std::span<const StoredRun> runs) {
+    Side side;
+    side.runs = runs;
+    for (const StoredRun& run : runs) {
+        for (const CellResult& result : run.run.cells) {
+            const auto [place, is_new] = side.cells.try_emplace(result.cell);
+            if (is_new) side.order.push_back(result.cell);
+            SideCell& cell = place->second;
+            if (is_timed(result)) {
+                cell.measured.push_back(&result);
+                cell.runs.push_back(&run);
+            } else {
+                if (cell.unmeasured == nullptr) cell.unmeasured = &result;
+                ++cell.unmeasured_count;
+            }
+        }
+    }
+    return side;
+}
+
+void require_one_device(std::span<const StoredRun> runs) {
+    for (const StoredRun& run : runs.subspan(1)) {
+        const std::string difference = device_difference(runs.front(), run);
+        if (!difference.empty()) {
+            fail("the runs of one side must come from one device, but {}; leave {} out", difference, run.name);
+        }
+    }
+}
+
+void require_one_subject(const Side& side) {
+    for (const auto& [id, cell] : side.cells) {
+        for (std::size_t index = 1; index < cell.measured.size(); ++index) {
+            const std::string difference =
+                subject_difference(*cell.runs[0], *cell.measured[0], *cell.runs[index], *cell.measured[index]);
+            if (!difference.empty()) {
+                fail(
+                    "the runs of one side must measure the same, but {} and {} differ in the cell '{}': {}; leave one "
+                    "of them out",
+                    cell.runs[0]->name, cell.runs[index]->name, id, difference);
+            }
+        }
+    }
+}
+
+std::string unmeasured_text(const SideCell& cell) {
+    if (cell.unmeasured == nullptr) return "missing";
+    const std::string reason = cell.unmeasured->reason.empty() ? "" : ": " + cell.unmeasured->reason;
+    switch (cell.unmeasured->status) {
+        case CellStatus::skipped:
+            return "skipped" + reason;
+        case CellStatus::failed:
+            return "failed" + reason;
+        case CellStatus::ok:
+            break;
+    }
+    return fmt::format("without a time of the pass {}", compared_pass);
+}
+
+/// Why the cell cannot be compared; empty when it can.
+std::optional<UncomparedCell> uncompared(const std::string& id, const SideCell* base, const SideCell* changed) {
+    if (changed == nullptr) return UncomparedCell{id, "only in the base"};
+    if (base == nullptr) return UncomparedCell{id, "only in the new runs"};
+    if (base->measured.empty() && changed->measured.empty()) {
+        return UncomparedCell{id, fmt::format("not measured on either side (base: {}; new: {})", unmeasured_text(*base),
+                                              unmeasured_text(*changed))};
+    }
+    if (base->measured.empty()) {
+        return UncomparedCell{id, fmt::format("measured now, but in the base {}", unmeasured_text(*base))};
+    }
+    if (changed->measured.empty()) {
+        const bool failed_now = changed->unmeasured->status == CellStatus::failed;
+        return UncomparedCell{id, fmt::format("measured in the base, but now {}", unmeasured_text(*changed)),
+                              failed_now};
+    }
+    const std::string difference =
+        subject_difference(*base->runs[0], *base->measured[0], *changed->runs[0], *changed->measured[0]);
+    if (!difference.empty()) return UncomparedCell{id, difference};
+    return std::nullopt;
+}
+
+/// "; in 3 of 5 base runs (one failed: ...)", or nothing when every run has the cell.
+std::string partial_text(const SideCell& cell, std::size_t runs, std::string_view side) {
+    if (cell.measured.size() == runs) return "";
+    return fmt::format("; measured in {} of {} {} runs only (in the others {})", cell.measured.size(), runs, side,
+                       unmeasured_text(cell));
+}
+
+/// How uncertain the medians are by their own runs' evidence, as the standard deviation of a logarithm.
+double within_runs(const SideCell& base, const SideCell& changed) {
+    double variance = 0;
+    double count = 0;
+    for (const SideCell* cell : {&base, &changed}) {
+        for (const CellResult* result : cell->measured) {
+            const Interval& interval = result->time.at(compared_pass).ci95_ms;
+            if (interval.low <= 0 || interval.high < interval.low) continue;
+            const double deviation = std::log(interval.high / interval.low) / (2 * half_width_of_95);
+            variance += deviation * deviation;
+            ++count;
+        }
+    }
+    return count == 0 ? 0 : std::sqrt(variance / count);
+}
+
+struct NoiseSources {
+    RunNoise of_runs;
+    RunNoise of_machine;
+};
+
+bool runs_tell(std::size_t base_runs, std::size_t new_runs) {
+    return base_runs + new_runs >= fewest_own_degrees_of_freedom + 2;
+}
+
+RunNoise noise_for(const NoiseSources& sources, const SideCell& base, const SideCell& changed) {
+    if (runs_tell(base.measured.size(), changed.measured.size())) return sources.of_runs;
+    RunNoise noise = sources.of_machine;
+    noise.log_sd = std::max(noise.log_sd, within_runs(base, changed));
+    return noise;
+}
+
+/// Of two machines the noisier one's.
+RunNoise machine_noise(const StoredRun& base, const StoredRun& changed, const NoiseLookup& find_noise) {
+    RunNoise noisiest;
+    bool known = false;
+    for (const StoredRun* run : {&base, &changed}) {
+        const auto record = find_noise(machine_of(run->run.run));
+        const RunNoise noise = record ? record->between_runs : RunNoise();
+        if (!known || noise.log_sd > noisiest.log_sd) noisiest = noise;
+        known = true;
+    }
+    return noisiest;
+}
+
+QualityComparison compare_quality_of(const SideCell& base, const SideCell& changed, const QualityTolerance& tolerance) {
+    CellResult before = *base.measured[0];
+    CellResult after = *changed.measured[0];
+    const bool comparable_errors = same_truth(*base.runs[0], *changed.runs[0]);
+    if (!comparable_errors) before.error = after.error = std::nullopt;
+    if (!comparable_errors || !same_lighting(*base.runs[0], *changed.runs[0])) {
+        before.image = after.image = std::nullopt;
+    }
+    return compare_quality(before, after, tolerance);
+}
+
+/// Cells of techniques whose folders did not change are told apart: when they move, something else did.
+std::optional<std::string> notice_of_common_shift(const Comparison& comparison, const Side& base, const Side& changed) {
+    std::size_t unchanged = 0;
+    std::vector<double> slower;
+    std::vector<double> faster;
+    for (const CellComparison& cell : comparison.cells) {
+        const SideCell& before = base.cells.at(cell.cell);
+        const SideCell& after = changed.cells.at(cell.cell);
+        if (!same_source(*before.runs[0], *after.runs[0], before.measured[0]->technique)) continue;
+        ++unchanged;
+        if (cell.verdict == Verdict::slower) slower.push_back(cell.time.ratio);
+        if (cell.verdict == Verdict::faster) faster.push_back(cell.time.ratio);
+    }
+    const bool mostly_slower = slower.size() >= faster.size();
+    const std::vector<double>& moved = mostly_slower ? slower : faster;
+    if (moved.size() < 2) return std::nullopt;
+    return fmt::format(
+        "{} of {} cells of techniques whose folders are the same on both sides are {}, by {} in the median: shared "
+        "shaders, the harness, the driver or the state of the machine moved them; `reliefbench ab` measures both sides "
+        "live",
+        moved.size(), unchanged, mostly_slower ? "slower" : "faster", percent(std::abs(median(moved) - 1)));
+}
+
+/// Per run, the time of all preparations of the compared cells; empty unless every run has them all.
+std::vector<double> preparation_of(const Side& side, const Comparison& comparison) {
+    std::vector<double> sums(side.runs.size(), 0.0);
+    for (const CellComparison& cell : comparison.cells) {
+        const SideCell& results = side.cells.at(cell.cell);
+        if (results.measured.size() != side.runs.size()) return {};
+        for (std::size_t run = 0; run < side.runs.size(); ++run) {
+            sums[run] += results.measured[run]->prepare_ms.value_or(0);
+        }
+    }
+    const bool positive = std::all_of(sums.begin(), sums.end(), [](double sum) { return sum > 0; });
+    return positive ? sums : std::vector<double>();
+}
+
+std::optional<std::string> notice_of_preparation(const Comparison& comparison, const Side& base, const Side& changed,
+                                                 const RunNoise& noise) {
+    const std::vector<double> before = preparation_of(base, comparison);
+    const std::vector<double> after = preparation_of(changed, comparison);
+    if (before.empty() || after.empty()) return std::nullopt;
+    const RatioEstimate estimate = estimate_between_runs(before, after, noise, comparison.threshold);
+    const Verdict verdict = decide(std::span(&estimate, 1), comparison.threshold, highest_verdict_p).front();
+    if (verdict != Verdict::slower && verdict != Verdict::faster) return std::nullopt;
+    return fmt::format("preparing the maps of all cells together is {}", describe(estimate, verdict, "runs"));
+}
+
+Json side_record(std::span<const StoredRun> runs) {
+    const Json& run = runs.front().run.run;
+    Json json;
+    json["runs"] = Json::array();
+    for (const StoredRun& stored : runs) {
+        json["runs"].push_back(stored.name);
+    }
+    for (const char* part : {"device", "environment"}) {
+        json[part] = run.contains(part) ? run.at(part) : Json(nullptr);
+    }
+    return json;
+}
+
+Json noise_record(const RunNoise& noise) {
+    Json json;
+    json["log_sd"] = noise.log_sd;
+    json["degrees_of_freedom"] = noise.degrees_of_freedom;
+    json["source"] = noise.source;
+    return json;
+}
+
+/// The cells that can be compared, without times yet; tells why of the others.
+Comparison pair_cells(const Side& base, const Side& changed, const QualityTolerance& tolerance) {
+    Comparison comparison;
+    const auto find = [](const Side& side, const std::string& id) {
+        const auto found = side.cells.find(id);
+        return found == side.cells.end() ? nullptr : &found->second;
+    };
+    std::vector<std::string> order = base.order;
+    for (const std::string& id : changed.order) {
+        if (!base.cells.contains(id)) order.push_back(id);
+    }
+    for (const std::string& id : order) {
+        const SideCell* before = find(base, id);
+        const SideCell* after = find(changed, id);
+        if (auto reason = uncompared(id, before, after)) {
+            comparison.uncompared.push_back(std::move(*reason));
+            continue;
+        }
+        CellComparison cell;
+        cell.cell = id;
+        cell.quality = compare_quality_of(*before, *after, tolerance);
+        comparison.cells.push_back(std::move(cell));
+    }
+    return comparison;
+}
+
+void estimate_times(Comparison& comparison, const Side& base, const Side& changed, const NoiseSources& noise,
+                    double false_discovery_rate) {
+    const auto estimate_all = [&](double level) {
+        std::vector<RatioEstimate> estimates;
+        for (const CellComparison& cell : comparison.cells) {
+            const SideCell& before = base.cells.at(cell.cell);
+            const SideCell& after = changed.cells.at(cell.cell);
+            estimates.push_back(estimate_between_runs(before.milliseconds(), after.milliseconds(),
+                                                      noise_for(noise, before, after), comparison.threshold, level));
+        }
+        return estimates;
+    };
+    const std::vector<Verdict> verdicts =
+        decide(estimate_all(highest_verdict_p), comparison.threshold, false_discovery_rate);
+    // What could have been seen depends on how many verdicts there are.
+    const std::vector<RatioEstimate> estimates = estimate_all(level_of_verdicts(verdicts, false_discovery_rate));
+    for (std::size_t index = 0; index < comparison.cells.size(); ++index) {
+        CellComparison& cell = comparison.cells[index];
+        cell.time = estimates[index];
+        cell.verdict = verdicts[index];
+        cell.reason = describe(cell.time, cell.verdict, comparison.unit) +
+                      partial_text(base.cells.at(cell.cell), base.runs.size(), "base") +
+                      partial_text(changed.cells.at(cell.cell), changed.runs.size(), "new");
+    }
+}
+
+}  // namespace
+
+Comparison compare_runs(std::span<const StoredRun> base_runs, std::span<const StoredRun> new_runs,
+                        const CompareOptions& options, const NoiseLookup& find_noise) {
+    assert(!base_runs.empty() && !new_runs.empty());
+    require_one_device(base_runs);
+    require_one_device(new_runs);
+    const std::string device = device_difference(base_runs.front(), new_runs.front());
+    if (!device.empty() && !options.across_devices) {
+        fail(
+            "the runs are of different devices, whose times say nothing of each other: {}; --across-devices compares "
+            "them all the same",
+            device);
+    }
+    const Side base = gather(base_runs);
+    const Side changed = gather(new_runs);
+    require_one_subject(base);
+    require_one_subject(changed);
+
+    Comparison comparison = pair_cells(base, changed, options.quality);
+    comparison.threshold = options.threshold;
+    if (!device.empty()) comparison.notices.push_back("the devices differ: " + device);
+    for (std::string& difference : run_differences(base_runs.front(), new_runs.front())) {
+        comparison.notices.push_back(std::move(difference));
+    }
+    for (const auto& [runs, side] : {std::pair(base_runs, "base"), std::pair(new_runs, "new")}) {
+        for (const StoredRun& run : runs.subspan(1)) {
+            const std::vector<std::string> differences = run_differences(runs.front(), run);
+            if (differences.empty()) continue;
+            comparison.notices.push_back(fmt::format("the {} runs differ among themselves: between {} and {}, {}", side,
+                                                     runs.front().name, run.name, differences.front()));
+        }
+    }
+
+    std::vector<CellMedians> medians;
+    for (const CellComparison& cell : comparison.cells) {
+        medians.push_back({base.cells.at(cell.cell).milliseconds(), changed.cells.at(cell.cell).milliseconds()});
+    }
+    const NoiseSources noise{noise_of_runs(medians), machine_noise(base_runs.front(), new_runs.front(), find_noise)};
+    const bool own = runs_tell(base_runs.size(), new_runs.size());
+    estimate_times(comparison, base, changed, noise, options.false_discovery_rate);
+    if (!own) {
+        comparison.notices.push_back(
+            fmt::format("noise between runs: {} ({})", percent(noise.of_machine.log_sd), noise.of_machine.source));
+    }
+    const RunNoise no_prior{0, 0, ""};
+    if (auto notice = notice_of_preparation(comparison, base, changed, own ? no_prior : noise.of_machine)) {
+        comparison.notices.push_back(std::move(*notice));
+    }
+    if (auto notice = notice_of_common_shift(comparison, base, changed)) {
+        comparison.notices.insert(comparison.notices.begin(), std::move(*notice));
+    }
+    comparison.environment["base"] = side_record(base_runs);
+    comparison.environment["new"] = side_record(new_runs);
+    comparison.environment["noise"] = noise_record(own ? noise.of_runs : noise.of_machine);
+    return comparison;
+}
+
+}  // namespace reliefbench
