@@ -343,6 +343,10 @@ Comparison compare_runs(std::span<const StoredRun> base_runs, std::span<const St
         comparison.notices.push_back(std::move(difference));
     }
     for (const auto& [runs, side] : {std::pair(base_runs, "base"), std::pair(new_runs, "new")}) {
+        if (from_changed_tree(runs.front())) {
+            comparison.notices.push_back(
+                fmt::format("{} was made from a work tree with changes not committed", runs.front().name));
+        }
         for (const StoredRun& run : runs.subspan(1)) {
             const std::vector<std::string> differences = run_differences(runs.front(), run);
             if (differences.empty()) continue;

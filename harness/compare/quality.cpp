@@ -11,7 +11,7 @@ namespace {
 enum class Better { lower, higher, nearer_to_zero, neither };
 
 bool differs(double base, double changed, const QualityTolerance& tolerance) {
-    if (base == changed) return false;  // both infinite, too
+    if (std::isinf(base) || std::isinf(changed)) return base != changed;
     const double largest = std::max(std::abs(base), std::abs(changed));
     return std::abs(base - changed) > std::max(tolerance.absolute, tolerance.relative * largest);
 }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <utility>
 
 namespace reliefbench {
 
@@ -33,7 +32,7 @@ std::string text_of(const Json& value) {
     return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// "<what> differs: <base> in the base, <new> now", for each member of two objects that differs.
+/// "<what> <name> changed from <base> to <new>" for each member of two objects that differs.
 void append_member_differences(std::vector<std::string>& differences, const std::string& what, const Json& base,
                                const Json& changed) {
     std::vector<std::string> names;
@@ -48,7 +47,7 @@ void append_member_differences(std::vector<std::string>& differences, const std:
         const Json after = value_at(changed, {name.c_str()});
         if (before != after) {
             differences.push_back(
-                fmt::format("{} {} was {} in the base and is {} now", what, name, text_of(before), text_of(after)));
+                fmt::format("{} {} changed from {} to {}", what, name, text_of(before), text_of(after)));
         }
     }
 }
@@ -107,32 +106,30 @@ bool same_source(const StoredRun& base, const StoredRun& changed, const std::str
     return !before.is_null() && before == value_at(changed, {"techniques", technique.c_str()});
 }
 
+bool from_changed_tree(const StoredRun& run) {
+    return value_at(run, {"environment", "git_dirty"}) == true;
+}
+
 std::vector<std::string> run_differences(const StoredRun& base, const StoredRun& changed) {
     std::vector<std::string> differences;
     const auto compare = [&](const char* what, std::initializer_list<const char*> path) {
         const Json before = value_at(base, path);
         const Json after = value_at(changed, path);
         if (before != after) {
-            differences.push_back(
-                fmt::format("{} was {} in the base and is {} now", what, text_of(before), text_of(after)));
+            differences.push_back(fmt::format("{} changed from {} to {}", what, text_of(before), text_of(after)));
         }
     };
     compare("the driver", {"device", "driver"});
     compare("the driver's version", {"device", "driver_version"});
     compare("the tool's version", {"environment", "tool_version"});
     compare("the git revision", {"environment", "git_revision"});
-    for (const auto& [run, side] : {std::pair(&base, "base"), std::pair(&changed, "new side")}) {
-        if (value_at(*run, {"environment", "git_dirty"}) == true) {
-            differences.push_back(fmt::format("the {} was made from a work tree with changes not committed", side));
-        }
-    }
     std::vector<std::string> sources;
     const Json techniques = value_at(base, {"techniques"});
     for (const auto& [technique, hash] : techniques.items()) {
         const Json after = value_at(changed, {"techniques", technique.c_str()});
         if (!after.is_null() && after != hash) sources.push_back(technique);
     }
-    if (!sources.empty()) differences.push_back("the sources of these techniques differ: " + join(sources));
+    if (!sources.empty()) differences.push_back("the sources of these techniques changed: " + join(sources));
     append_member_differences(differences, "sampling:", value_at(base, {"configuration", "sampling"}),
                               value_at(changed, {"configuration", "sampling"}));
     if (!same_truth(base, changed)) {

@@ -15,6 +15,8 @@ std::string device_difference(const StoredRun& base, const StoredRun& changed);
 /// sampling, truth, lighting, CPU, operating system.
 std::vector<std::string> run_differences(const StoredRun& base, const StoredRun& changed);
 
+/// Made with changes that no commit has.
+bool from_changed_tree(const StoredRun& run);
 bool same_truth(const StoredRun& base, const StoredRun& changed);
 bool same_lighting(const StoredRun& base, const StoredRun& changed);
 /// The technique's own folder has the same content on both sides.

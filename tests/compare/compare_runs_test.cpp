@@ -1,0 +1,309 @@
+#include "compare/compare_runs.hpp"
+
+#include "compare/synthetic_runs.hpp"
+#include "support/error_message.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace reliefbench;
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+namespace {
+
+std::optional<NoiseRecord> no_record(const MachineKey&) {
+    return std::nullopt;
+}
+
+Comparison compare(const std::vector<StoredRun>& base, const std::vector<StoredRun>& changed,
+                   const CompareOptions& options = {}) {
+    return compare_runs(base, changed, options, no_record);
+}
+
+Comparison compare_one(const StoredRun& base, const StoredRun& changed, const CompareOptions& options = {}) {
+    return compare(std::vector{base}, std::vector{changed}, options);
+}
+
+std::vector<std::string> uncompared_reasons(const Comparison& comparison) {
+    std::vector<std::string> reasons;
+    for (const UncomparedCell& cell : comparison.uncompared) {
+        reasons.push_back(cell.cell + ": " + cell.reason);
+    }
+    return reasons;
+}
+
+CellResult with_status(CellResult result, CellStatus status, const std::string& reason) {
+    result.status = status;
+    result.reason = reason;
+    result.time.clear();
+    return result;
+}
+
+std::vector<StoredRun> repeated(const std::string& name, const std::vector<double>& ms) {
+    std::vector<StoredRun> runs;
+    for (const double value : ms) {
+        runs.push_back(one_run(fmt::format("{}{}", name, runs.size() + 1), {cell_result("c", value)}));
+    }
+    return runs;
+}
+
+TEST(CompareRuns, PairsCellsByIdInTheBasesOrder) {
+    const StoredRun base = one_run("base", {cell_result("b", 1), cell_result("a", 2)});
+    const StoredRun changed = one_run("new", {cell_result("a", 2.2), cell_result("b", 1)});
+    const Comparison comparison = compare_one(base, changed);
+    ASSERT_EQ(comparison.cells.size(), 2U);
+    EXPECT_EQ(comparison.cells[0].cell, "b");
+    EXPECT_DOUBLE_EQ(comparison.cells[1].time.ratio, 1.1);
+    EXPECT_EQ(comparison.unit, "runs");
+    EXPECT_TRUE(comparison.uncompared.empty());
+}
+
+TEST(CompareRuns, OneRunASideRestsOnTheStatedDefaultNoise) {
+    const Comparison comparison =
+        compare_one(one_run("base", {cell_result("c", 1)}), one_run("new", {cell_result("c", 1.2)}));
+    EXPECT_EQ(comparison.cells[0].verdict, Verdict::undecided);
+    EXPECT_THAT(comparison.cells[0].reason,
+                AllOf(HasSubstr("undecided: +20 %"), HasSubstr("1 run a side"), HasSubstr("more runs a side")));
+    EXPECT_THAT(comparison.notices, Contains(AllOf(HasSubstr("10 %"), HasSubstr("default"))));
+    EXPECT_EQ(comparison.environment["noise"]["log_sd"], 0.10);
+    const Comparison clear = compare_one(one_run("base", {cell_result("c", 1)}), one_run("new", {cell_result("c", 3)}));
+    EXPECT_EQ(clear.cells[0].verdict, Verdict::slower);
+}
+
+TEST(CompareRuns, TheMachinesRecordTakesThePlaceOfTheDefault) {
+    std::vector<MachineKey> asked;
+    const auto lookup = [&](const MachineKey& machine) {
+        asked.push_back(machine);
+        NoiseRecord record;
+        record.between_runs = {0.001, 20, "this machine's record"};
+        return std::optional(record);
+    };
+    const std::vector base = {one_run("base", {cell_result("c", 1)})};
+    const std::vector changed = {one_run("new", {cell_result("c", 1.05)})};
+    const Comparison comparison = compare_runs(base, changed, {}, lookup);
+    EXPECT_EQ(comparison.cells[0].verdict, Verdict::slower);
+    EXPECT_THAT(comparison.notices, Contains(HasSubstr("this machine's record")));
+    EXPECT_EQ(asked.front(), (MachineKey{"a device", "a driver", "1.2", "a CPU"}));
+}
+
+TEST(CompareRuns, TheRunsOwnUncertaintyIsNotHiddenByLowNoise) {
+    const auto lookup = [](const MachineKey&) {
+        NoiseRecord record;
+        record.between_runs = {0.001, 20, ""};
+        return std::optional(record);
+    };
+    CellResult uncertain = cell_result("c", 1.05);
+    uncertain.time["draw"].ci95_ms = {0.8, 1.3};
+    const std::vector base = {one_run("base", {cell_result("c", 1)})};
+    const std::vector changed = {one_run("new", {uncertain})};
+    EXPECT_EQ(compare_runs(base, changed, {}, lookup).cells[0].verdict, Verdict::undecided);
+}
+
+TEST(CompareRuns, ThreeRunsASideTellTheirOwnNoise) {
+    const Comparison comparison =
+        compare(repeated("base", {1.000, 1.001, 0.999}), repeated("new", {1.100, 1.101, 1.102}));
+    EXPECT_EQ(comparison.cells[0].verdict, Verdict::slower);
+    EXPECT_THAT(comparison.cells[0].reason, AllOf(HasSubstr("slower by 10 %"), HasSubstr("3 runs a side")));
+    EXPECT_EQ(comparison.environment["noise"]["source"], "the runs compared");
+    EXPECT_THAT(comparison.notices, testing::Not(Contains(HasSubstr("noise"))));
+}
+
+TEST(CompareRuns, WhatCannotBeComparedIsToldPlainly) {
+    CellResult parameter = cell_result("parameter", 1);
+    CellResult axis = cell_result("axis", 1);
+    const StoredRun base =
+        one_run("base", {cell_result("gone", 1), cell_result("broken", 1), cell_result("unsupported", 1), parameter,
+                         axis, with_status(cell_result("mended", 1), CellStatus::failed, "no shader"),
+                         with_status(cell_result("never", 1), CellStatus::skipped, "no feature")});
+    parameter.parameters["max_steps"] = 64;
+    axis.axes["height_scale"] = 0.1;
+    const StoredRun changed = one_run(
+        "new", {with_status(cell_result("broken", 1), CellStatus::failed, "lost device"),
+                with_status(cell_result("unsupported", 1), CellStatus::skipped, "no feature"), parameter, axis,
+                cell_result("mended", 1), with_status(cell_result("never", 1), CellStatus::skipped, "no feature"),
+                cell_result("fresh", 1)});
+    const Comparison comparison = compare_one(base, changed);
+    EXPECT_TRUE(comparison.cells.empty());
+    EXPECT_THAT(uncompared_reasons(comparison),
+                ElementsAre("gone: only in the base", "broken: measured in the base, but now failed: lost device",
+                            "unsupported: measured in the base, but now skipped: no feature",
+                            "parameter: the parameter max_steps changed from 32 to 64",
+                            "axis: the axis height_scale changed from unknown to 0.1",
+                            "mended: measured now, but in the base failed: no shader",
+                            "never: not measured on either side (base: skipped: no feature; new: skipped: no feature)",
+                            "fresh: only in the new runs"));
+    for (const UncomparedCell& cell : comparison.uncompared) {
+        EXPECT_EQ(cell.failed_now, cell.cell == "broken") << cell.cell;
+    }
+}
+
+TEST(CompareRuns, AChangedHeightMapIsNotCompared) {
+    StoredRun changed = one_run("new", {cell_result("c", 1)});
+    changed.run.run["height_maps"][0]["hash"] = "other";
+    EXPECT_THAT(uncompared_reasons(compare_one(one_run("base", {cell_result("c", 1)}), changed)),
+                ElementsAre("c: the content of its height map rock changed"));
+    changed.run.run["height_maps"][0]["hash"] = "h";
+    changed.run.run["height_maps"][0]["albedo_hash"] = "other";
+    EXPECT_THAT(uncompared_reasons(compare_one(one_run("base", {cell_result("c", 1)}), changed)),
+                ElementsAre("c: the content of the albedo of its height map rock changed"));
+    // Another map of the run, or another size or format of this one.
+    changed.run.run["height_maps"][0]["size"] = {512, 512};
+    EXPECT_EQ(compare_one(one_run("base", {cell_result("c", 1)}), changed).cells.size(), 1U);
+}
+
+TEST(CompareRuns, ACellWithoutATimeIsNotCompared) {
+    CellResult timeless = cell_result("c", 1);
+    timeless.time.clear();
+    EXPECT_THAT(uncompared_reasons(compare_one(one_run("base", {cell_result("c", 1)}), one_run("new", {timeless}))),
+                ElementsAre("c: measured in the base, but now without a time of the pass draw"));
+}
+
+TEST(CompareRuns, ACellOfSomeRunsOnlyIsUsedWithThoseAndTold) {
+    std::vector<StoredRun> base = repeated("base", {1, 1, 1});
+    std::vector<StoredRun> changed = repeated("new", {1, 1, 1});
+    base[1].run.cells.clear();
+    changed[2].run.cells[0] = with_status(changed[2].run.cells[0], CellStatus::failed, "lost device");
+    const Comparison comparison = compare(base, changed);
+    ASSERT_EQ(comparison.cells.size(), 1U);
+    EXPECT_EQ(comparison.cells[0].time.units, 2U);
+    EXPECT_THAT(comparison.cells[0].reason,
+                AllOf(HasSubstr("measured in 2 of 3 base runs only (in the others missing)"),
+                      HasSubstr("measured in 2 of 3 new runs only (in the others failed: lost device)")));
+}
+
+TEST(CompareRuns, AnotherDeviceIsAnErrorUnlessAllowed) {
+    const StoredRun base = one_run("base", {cell_result("c", 1)});
+    StoredRun changed = base;
+    changed.name = "new";
+    changed.run.run["device"]["name"] = "another device";
+    const std::string message = error_message([&] { compare_one(base, changed); });
+    EXPECT_THAT(message, AllOf(HasSubstr("'a device'"), HasSubstr("'another device'"), HasSubstr("--across-devices")));
+    CompareOptions options;
+    options.across_devices = true;
+    EXPECT_THAT(compare_one(base, changed, options).notices.front(), HasSubstr("the devices differ"));
+}
+
+TEST(CompareRuns, ACpuDeviceOnAnotherCpuIsAnotherDevice) {
+    const StoredRun base = one_run("base", {cell_result("c", 1)});
+    StoredRun changed = base;
+    changed.run.run["environment"]["cpu"] = "another CPU";
+    EXPECT_THAT(error_message([&] { compare_one(base, changed); }), HasSubstr("'another CPU'"));
+    StoredRun base_gpu = base;
+    base_gpu.run.run["device"]["type"] = "discrete GPU";
+    changed.run.run["device"]["type"] = "discrete GPU";
+    EXPECT_THAT(compare_one(base_gpu, changed).notices, Contains("the CPU changed from a CPU to another CPU"));
+}
+
+TEST(CompareRuns, RunsOfOneSideMustAgree) {
+    std::vector<StoredRun> base = repeated("base", {1, 1});
+    base[1].run.run["device"]["name"] = "another device";
+    EXPECT_THAT(error_message([&] { compare(base, repeated("new", {1})); }),
+                AllOf(HasSubstr("one device"), HasSubstr("leave base2 out")));
+    std::vector<StoredRun> changed = repeated("new", {1, 1});
+    changed[1].run.run["height_maps"][0]["hash"] = "other";
+    EXPECT_THAT(error_message([&] { compare(repeated("base", {1}), changed); }),
+                AllOf(HasSubstr("new1 and new2"), HasSubstr("height map rock")));
+}
+
+TEST(CompareRuns, DifferencesBetweenTheSidesAreNotices) {
+    const StoredRun base = one_run("base", {cell_result("c", 1)});
+    StoredRun changed = base;
+    changed.name = "new";
+    changed.run.run["device"]["driver_version"] = "1.3";
+    changed.run.run["environment"]["tool_version"] = "2.0";
+    changed.run.run["environment"]["git_revision"] = "def";
+    changed.run.run["environment"]["git_dirty"] = true;
+    changed.run.run["environment"]["os"] = nullptr;
+    changed.run.run["techniques"]["second"] = "other";
+    changed.run.run["techniques"]["third"] = "hash3";
+    changed.run.run["configuration"]["sampling"]["rounds"] = 7;
+    const std::vector<std::string> notices = compare_one(base, changed).notices;
+    EXPECT_THAT(notices, testing::IsSupersetOf({
+                             "the driver's version changed from 1.2 to 1.3",
+                             "the tool's version changed from 1.0 to 2.0",
+                             "the git revision changed from abc to def",
+                             "new was made from a work tree with changes not committed",
+                             "the operating system changed from an OS to unknown",
+                             "the sources of these techniques changed: second",
+                             "sampling: rounds changed from 5 to 7",
+                         }));
+    EXPECT_EQ(notices.size(), 8U);  // and the noise
+}
+
+TEST(CompareRuns, RunsOfASideThatDifferAmongThemselvesAreANotice) {
+    std::vector<StoredRun> base = repeated("base", {1, 1});
+    base[1].run.run["environment"]["git_revision"] = "def";
+    EXPECT_THAT(compare(base, repeated("new", {1})).notices,
+                Contains(AllOf(HasSubstr("base runs differ among themselves"), HasSubstr("base2"), HasSubstr("def"))));
+}
+
+TEST(CompareRuns, ErrorsAreComparedOnlyAgainstTheSameTruthAndPicturesOnlyUnderTheSameLight) {
+    CellResult worse = cell_result("c", 1);
+    worse.error->missed = 0.5;
+    worse.image->rmse = 0.5;
+    CellResult before = cell_result("c", 1);
+    before.image->rmse = 0.1;
+    const StoredRun base = one_run("base", {before});
+    StoredRun changed = one_run("new", {worse});
+    EXPECT_EQ(compare_one(base, changed).cells[0].quality.changes.size(), 2U);
+    changed.run.run["configuration"]["lighting"]["ambient"] = 0.3;
+    const Comparison lit = compare_one(base, changed);
+    ASSERT_EQ(lit.cells[0].quality.changes.size(), 1U);
+    EXPECT_EQ(lit.cells[0].quality.changes[0].field, "error.missed");
+    EXPECT_THAT(lit.notices, Contains(HasSubstr("the lighting differs")));
+    changed.run.run["configuration"]["truth"]["kind"] = "mesh";
+    const Comparison other = compare_one(base, changed);
+    EXPECT_TRUE(other.cells[0].quality.changes.empty());
+    EXPECT_THAT(other.notices, Contains("truth: kind changed from exact to mesh"));
+}
+
+TEST(CompareRuns, AChangedPreparationTimeIsANotice) {
+    const auto with_preparation = [](const std::string& name, double ms) {
+        std::vector<StoredRun> runs = repeated(name, {1, 1, 1});
+        for (std::size_t run = 0; run < runs.size(); ++run) {
+            runs[run].run.cells[0].prepare_ms = ms * (1 + 0.001 * static_cast<double>(run));
+        }
+        return runs;
+    };
+    const std::vector<StoredRun> base = with_preparation("base", 10);
+    EXPECT_THAT(compare(base, with_preparation("new", 15)).notices,
+                Contains(HasSubstr("preparing the maps of all cells together is slower by 50 %")));
+    EXPECT_THAT(compare(base, with_preparation("new", 10)).notices, testing::Not(Contains(HasSubstr("preparing"))));
+}
+
+TEST(CompareRuns, CellsOfUnchangedTechniquesThatMoveAreTheFirstNotice) {
+    Random random(1);
+    RunsModel model;
+    model.cells = 20;
+    const std::vector<StoredRun> base = synthetic_runs(model, 5, random);
+    std::vector<StoredRun> changed = synthetic_runs(model, 5, random);
+    for (StoredRun& run : changed) {
+        for (CellResult& cell : run.run.cells) {
+            cell.time["draw"].median_ms *= 1.5;
+        }
+    }
+    const Comparison comparison = compare(base, changed);
+    EXPECT_THAT(comparison.notices.front(),
+                AllOf(HasSubstr("20 of 20 cells of techniques whose folders are the same"), HasSubstr("slower")));
+    for (StoredRun& run : changed) {
+        run.run.run["techniques"]["first"] = "other";
+    }
+    EXPECT_THAT(compare(base, changed).notices, testing::Not(Contains(HasSubstr("folders are the same"))));
+}
+
+TEST(CompareRuns, TheEnvironmentOfBothSidesIsKept) {
+    StoredRun changed = one_run("new", {});
+    changed.run.run["device"]["driver_version"] = "1.3";
+    const Comparison comparison = compare_one(one_run("base", {}), changed);
+    EXPECT_EQ(comparison.environment["base"]["runs"], Json({"base"}));
+    EXPECT_EQ(comparison.environment["base"]["device"]["driver_version"], "1.2");
+    EXPECT_EQ(comparison.environment["new"]["device"]["driver_version"], "1.3");
+    EXPECT_TRUE(comparison.cells.empty());
+}
+
+}  // namespace
