@@ -1,12 +1,15 @@
 #include "cli/command.hpp"
+#include "cli/run_sides.hpp"
 #include "core/error.hpp"
 #include "core/suggest.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -57,20 +60,26 @@ std::string usage_complaint(const CLI::App& app, const CLI::ParseError& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Measures techniques for drawing surface relief: GPU time against error from the ground truth."};
+    CLI::App app{"Measures techniques for drawing surface relief: GPU time against error from the ground truth.",
+                 "reliefbench"};
     app.set_version_flag("--version", RELIEFBENCH_VERSION);
     app.require_subcommand(1);
     app.footer(
-        "Exit codes: 0 done; 2 usage, configuration or input error; 4 some cells or checks failed; 5 internal error.\n"
+        "Exit codes: 0 done, nothing worse; 1 a regression was found; 2 usage, configuration or input error; "
+        "3 undecided; 4 some cells or checks failed; 5 internal error.\n"
         "`reliefbench COMMAND --help` shows the options of a command and an example.\n");
     ChosenCommand chosen;
     add_list_command(app, chosen);
     add_run_command(app, chosen, {argv, argv + argc});
     add_render_command(app, chosen);
     add_verify_command(app, chosen);
+    add_compare_command(app, chosen);
+    add_history_command(app, chosen);
     add_export_command(app, chosen);
     try {
-        app.parse(argc, argv);
+        std::vector<std::string> arguments = keep_separator({argv + 1, argv + argc});
+        std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
+        app.parse(std::move(arguments));
     } catch (const CLI::ParseError& error) {
         const bool asked_for_help = error.get_exit_code() == 0;
         if (!asked_for_help) {

@@ -28,11 +28,17 @@ std::string cut_table(const std::vector<std::string>& titles, std::string_view a
     return table;
 }
 
+/// Its id, and what else there is to say of it.
+std::string cell_text(const CellComparison& cell, const Comparison& comparison) {
+    const std::string reason = reason_beyond_figures(cell, comparison);
+    return markdown_code(cell.cell) + (reason.empty() ? "" : "<br>" + markdown_text(reason));
+}
+
 std::string format_changed(const Comparison& comparison) {
     Rows rows;
     for (const Verdict verdict : {Verdict::slower, Verdict::faster}) {
         for (const CellComparison* cell : cells_with(comparison, verdict)) {
-            rows.push_back({verdict == Verdict::slower ? "**slower**" : "faster", markdown_code(cell->cell),
+            rows.push_back({verdict == Verdict::slower ? "**slower**" : "faster", cell_text(*cell, comparison),
                             change_text(cell->time.ratio), change_interval_text(cell->time.ci95),
                             percent_text(cell->time.visible)});
         }
@@ -80,8 +86,9 @@ Rows uncompared_rows(const Comparison& comparison, bool failed_now) {
 std::string format_undecided(const Comparison& comparison) {
     Rows rows;
     for (const CellComparison* cell : cells_with(comparison, Verdict::undecided)) {
-        rows.push_back({markdown_code(cell->cell), change_text(cell->time.ratio), change_interval_text(cell->time.ci95),
-                        percent_text(cell->time.visible), more_text(cell->time)});
+        rows.push_back({cell_text(*cell, comparison), change_text(cell->time.ratio),
+                        change_interval_text(cell->time.ci95), percent_text(cell->time.visible),
+                        more_text(cell->time)});
     }
     if (rows.empty()) return "";
     const std::string summary = fmt::format("{} undecided", counted(rows.size(), "cell"));

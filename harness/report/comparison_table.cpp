@@ -1,6 +1,7 @@
 #include "report/comparison_table.hpp"
 
 #include "report/comparison_words.hpp"
+#include "report/figure_rows.hpp"
 #include "report/text_layout.hpp"
 
 #include <fmt/format.h>
@@ -15,60 +16,26 @@ namespace reliefbench {
 namespace {
 
 constexpr std::size_t space_between = 2;
-/// The least that a cell's id gets: a terminal narrower than the figures and this is written over its edge.
-constexpr std::size_t narrowest_id = 24;
 /// Named without --all: changed fields of a cell, and cells under each reason for not being compared.
 constexpr std::size_t fields_named = 4;
 constexpr std::size_t cells_named = 3;
 
-/// The figures of each row stand before the cell's id, which may be long and is wrapped under itself.
-std::string format_rows(const std::vector<std::string>& titles, const std::vector<std::vector<std::string>>& figures,
-                        const std::vector<std::string>& ids, std::size_t columns) {
-    std::vector<std::size_t> widths;
-    std::size_t taken = 0;
-    for (std::size_t column = 0; column < titles.size(); ++column) {
-        std::size_t width = text_width(titles[column]);
-        for (const std::vector<std::string>& row : figures) {
-            width = std::max(width, text_width(row[column]));
-        }
-        widths.push_back(width);
-        taken += space_between + width;
-    }
-    taken += space_between;
-    const std::size_t id_width = std::max(narrowest_id, columns - std::min(columns, taken));
-    const auto line = [&](const std::vector<std::string>& row, const std::string& id) {
-        std::string text;
-        for (std::size_t column = 0; column < row.size(); ++column) {
-            text += std::string(space_between, ' ') + pad_left(row[column], widths[column]);
-        }
-        return text + std::string(space_between, ' ') + id + '\n';
-    };
-    std::string text = line(titles, "cell");
-    for (std::size_t row = 0; row < figures.size(); ++row) {
-        const std::vector<std::string> id = wrap(ids[row], id_width);
-        text += line(figures[row], id.front());
-        for (std::size_t rest = 1; rest < id.size(); ++rest) {
-            text += std::string(taken, ' ') + id[rest] + '\n';
-        }
-    }
-    return text;
-}
-
 std::string format_verdict(const Comparison& comparison, Verdict verdict, std::size_t columns) {
     const std::vector<const CellComparison*> cells = cells_with(comparison, verdict);
     if (cells.empty()) return "";
-    std::vector<std::string> titles = {"change", "95 %", "visible", "quality"};
-    if (verdict == Verdict::undecided) titles.push_back("more " + comparison.unit);
+    std::vector<FigureColumn> titles = {{"change"}, {"95 %"}, {"visible"}, {"quality"}};
+    if (verdict == Verdict::undecided) titles.push_back({"more " + comparison.unit});
     std::vector<std::vector<std::string>> figures;
     std::vector<std::string> ids;
     for (const CellComparison* cell : cells) {
         figures.push_back({change_text(cell->time.ratio), change_interval_text(cell->time.ci95),
                            percent_text(cell->time.visible), std::string(to_string(cell->quality.verdict))});
         if (verdict == Verdict::undecided) figures.back().push_back(more_text(cell->time));
-        ids.push_back(cell->cell);
+        const std::string reason = reason_beyond_figures(*cell, comparison);
+        ids.push_back(reason.empty() ? cell->cell : cell->cell + "\n(" + reason + ")");
     }
     return fmt::format("{}, {}\n{}\n", to_string(verdict), counted(cells.size(), "cell"),
-                       format_rows(titles, figures, ids, columns));
+                       format_figure_rows(titles, figures, ids, columns));
 }
 
 std::string format_changes(std::string_view title, const std::vector<const CellComparison*>& cells,

@@ -46,6 +46,9 @@ std::string percent_text(double fraction);
 /// "9", or "-" where no reasonable number would decide.
 std::string more_text(const RatioEstimate& estimate);
 
+/// What the reason says beyond the figures of the verdict; "" when nothing.
+std::string reason_beyond_figures(const CellComparison& cell, const Comparison& comparison);
+
 /// "error.uv_texels.p99 0.750 → 0.810"; "-" where a side has none.
 std::string quality_change_text(const QualityChange& change);
 /// The `limit` largest changes, those for the worse first, then those for the better; "and 3 more" at the end.

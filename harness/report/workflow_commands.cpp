@@ -110,11 +110,9 @@ std::string format_workflow_commands(const Comparison& comparison) {
     add_times(comparison, Verdict::slower, errors);
     add_quality(comparison, QualityVerdict::worse, errors);
     add_uncompared(comparison, errors, warnings);
-    if (!comparison.notices.empty()) {
-        warnings.insert(warnings.begin(), {"the sides differ", join(comparison.notices, "\n"), ""});
-    }
     add_times(comparison, Verdict::undecided, warnings);
     notices.push_back({"reliefbench", summary_line(comparison), ""});
+    if (!comparison.notices.empty()) notices.push_back({"notes", join(comparison.notices, "\n"), ""});
     add_times(comparison, Verdict::faster, notices);
     add_quality(comparison, QualityVerdict::better, notices);
     return format_messages(Annotation::error, errors) + format_messages(Annotation::warning, warnings) +

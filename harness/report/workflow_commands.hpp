@@ -14,7 +14,7 @@ enum class Annotation { error, warning, notice };
 std::string workflow_command(Annotation annotation, std::string_view title, std::string_view message);
 
 /// Annotations of a workflow's run: an error for each cell that is slower, worse or failed now, a warning for each
-/// undecided one and for what differs between the sides, notices for the better news and, first, the summary. GitHub
+/// undecided one and for what could not be compared, notices for the summary, the notes and the better news. GitHub
 /// shows ten of each kind per step: where there are more, the tenth says how many and names them.
 std::string format_workflow_commands(const Comparison& comparison);
 

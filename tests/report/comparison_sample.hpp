@@ -1,6 +1,7 @@
 #pragma once
 
 #include "compare/comparison.hpp"
+#include "compare/describe.hpp"
 
 #include <string>
 #include <utility>
@@ -16,7 +17,7 @@ inline CellComparison compared(std::string cell, Verdict verdict, double ratio, 
     comparison.time.visible = 0.031;
     comparison.time.units = 5;
     comparison.time.more = 0;
-    comparison.reason = std::string(to_string(verdict)) + " because";
+    comparison.reason = describe(comparison.time, verdict, "runs");
     return comparison;
 }
 
@@ -31,6 +32,8 @@ inline Comparison sample_comparison() {
         compared("steep | view_angle=0", Verdict::slower, 2.5, {2.25, 2.75}),
     };
     comparison.cells[2].time.more = 9;
+    comparison.cells[2].reason =
+        describe(comparison.cells[2].time, Verdict::undecided, "runs") + "; measured in 4 of 5 base runs only";
     comparison.cells[0].quality = {QualityVerdict::worse,
                                    {{"error.uv_texels.p99", 0.75, 0.8100001, true, false},
                                     {"image.psnr", std::nullopt, 40, false, false},

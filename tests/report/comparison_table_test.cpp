@@ -29,13 +29,14 @@ TEST(ComparisonTable, TellsTheWorstFirstAndCountsWhatStayedTheSame) {
               R"(note: the driver changed: Mesa 22.3.6, now Mesa 23.0.0
 
 slower, 2 cells
-  change              95 %  visible  quality  cell
-  +150 %    +125 to +175 %    3.1 %     same  steep | view_angle=0
-  +7.2 %    +5.1 to +9.4 %    3.1 %     same  steep | view_angle=60
+  change            95 %  visible  quality  cell
+  +150 %  +125 to +175 %    3.1 %     same  steep | view_angle=0
+  +7.2 %  +5.1 to +9.4 %    3.1 %     same  steep | view_angle=60
 
 undecided, 1 cell
   change           95 %  visible  quality  more runs  cell
   +3.0 %  −4.0 to +11 %    3.1 %     same          9  qdm | view_angle=60
+                                                      (measured in 4 of 5 base runs only)
 
 faster, 1 cell
   change          95 %  visible  quality  cell
@@ -57,8 +58,7 @@ not compared, 2 cells: only in the base
     flat | view_angle=60
     flat | view_angle=0
 
-threshold 2.0 %; change: of the time, new against base; 95 %: its interval; visible: the smallest change that this
-evidence would have shown
+threshold 2.0 %; change: of the time, new against base; 95 %: its interval; visible: the smallest change that this evidence would have shown
 5 cells compared: 2 slower, 1 undecided, 1 faster, 1 same; quality: 1 worse, 0 better; 3 not compared, 1 of them failed now
 )");
 }

@@ -1,0 +1,76 @@
+#include "cli/command.hpp"
+#include "cli/comparison_output.hpp"
+#include "cli/run_sides.hpp"
+#include "cli/stored_runs.hpp"
+#include "cli/threshold.hpp"
+#include "compare/compare_runs.hpp"
+#include "core/error.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace reliefbench {
+
+namespace {
+
+struct CompareCommandOptions {
+    std::vector<std::string> folders;
+    std::string threshold = "2%";
+    bool across_devices = false;
+    ComparisonOutput output;
+};
+
+std::optional<NoiseRecord> find_noise(const MachineKey& machine) {
+    std::filesystem::path folder;
+    try {
+        folder = state_folder();
+    } catch (const Error&) {
+        return std::nullopt;  // nowhere to keep one: none is kept
+    }
+    return read_noise_record(folder, machine);
+}
+
+ExitCode compare(const CompareCommandOptions& options) {
+    options.output.check();
+    CompareOptions compare_options;
+    compare_options.threshold = parse_threshold(options.threshold, "--threshold");
+    compare_options.across_devices = options.across_devices;
+    const RunSides sides = split_sides(options.folders);
+    // Together, so that a run on both sides is found.
+    std::vector<std::string> folders = sides.base;
+    folders.insert(folders.end(), sides.changed.begin(), sides.changed.end());
+    const std::vector<StoredRun> runs = read_stored_runs(folders);
+    const std::span<const StoredRun> all(runs);
+    const Comparison comparison =
+        compare_runs(all.first(sides.base.size()), all.subspan(sides.base.size()), compare_options, find_noise);
+    return options.output.print(comparison);
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, ChosenCommand& chosen) {
+    const auto options = std::make_shared<CompareCommandOptions>();
+    CLI::App* command =
+        app.add_subcommand("compare", "Compare stored runs: slower, faster, same or undecided per cell");
+    command->add_option("runs", options->folders, "Folders of runs; two need no --")
+        ->required()
+        ->type_name("BASE... -- NEW...");
+    command
+        ->add_option("--threshold", options->threshold,
+                     "The smallest change of time that matters, written 2% or 0.02; default: 2%")
+        ->type_name("FRACTION");
+    command->add_flag("--across-devices", options->across_devices,
+                      "Compare runs of different devices, whose times say nothing of a change in code");
+    options->output.add_to(*command);
+    command->footer(
+        "Exit code 0 when nothing is worse, 1 when a cell is slower or its quality worse, 3 when some are undecided, 4 "
+        "when a cell that was measured in the base failed now.\n"
+        "Example: reliefbench compare results/before1 results/before2 -- results/after1 results/after2\n");
+    command->callback([&chosen, options] { chosen = [options] { return compare(*options); }; });
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,105 @@
+#include "cli/command.hpp"
+#include "cli/shared_options.hpp"
+#include "cli/stored_runs.hpp"
+#include "cli/terminal.hpp"
+#include "cli/threshold.hpp"
+#include "compare/history.hpp"
+#include "core/error.hpp"
+#include "core/log.hpp"
+#include "core/suggest.hpp"
+#include "report/history_format.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <memory>
+
+namespace reliefbench {
+
+namespace {
+
+/// Three before a change and three after it.
+constexpr std::size_t fewest_runs = 6;
+
+struct HistoryCommandOptions {
+    std::vector<std::string> folders;
+    std::vector<std::string> cells;
+    std::string threshold = "2%";
+    std::string format = "table";
+};
+
+/// Keeps cells whose id contains any of `texts`.
+void keep_cells(std::vector<StoredRun>& runs, const std::vector<std::string>& texts) {
+    if (texts.empty()) return;
+    for (const std::string& text : texts) {
+        const bool found = std::any_of(runs.begin(), runs.end(), [&](const StoredRun& run) {
+            return std::any_of(run.run.cells.begin(), run.run.cells.end(),
+                               [&](const CellResult& cell) { return cell.cell.find(text) != std::string::npos; });
+        });
+        if (!found) fail("--cell: no cell's id contains '{}'; cells.jsonl of a run lists them", text);
+    }
+    for (StoredRun& run : runs) {
+        std::erase_if(run.run.cells, [&](const CellResult& cell) {
+            return std::none_of(texts.begin(), texts.end(),
+                                [&](const std::string& text) { return cell.cell.find(text) != std::string::npos; });
+        });
+    }
+}
+
+std::string time_of(const StoredRun& run) {
+    const auto environment = run.run.run.find("environment");
+    if (environment == run.run.run.end() || !environment->is_object()) return "";
+    return environment->value("time", "");
+}
+
+/// A shell sorts run10 before run2.
+void warn_of_disorder(const std::vector<StoredRun>& runs) {
+    for (std::size_t run = 1; run < runs.size(); ++run) {
+        const std::string before = time_of(runs[run - 1]);
+        const std::string time = time_of(runs[run]);
+        if (!before.empty() && !time.empty() && time < before) {
+            log_warning("{} ({}) is older than {} ({}), which stands before it; name the runs in their order",
+                        runs[run].name, time, runs[run - 1].name, before);
+            return;
+        }
+    }
+}
+
+ExitCode show_history(const HistoryCommandOptions& options) {
+    const HistoryFormat format = parse_history_format(options.format);
+    HistoryOptions history_options;
+    history_options.minimum_effect = parse_threshold(options.threshold, "--threshold");
+    std::vector<StoredRun> runs = read_stored_runs(options.folders);
+    keep_cells(runs, options.cells);
+    warn_of_disorder(runs);
+    if (runs.size() < fewest_runs) {
+        log_warning("{} runs are too few for change points: at least three stand before one and three after it",
+                    runs.size());
+    }
+    fmt::print("{}", format_history(make_history(runs, history_options), format, table_columns()));
+    return ExitCode::done;
+}
+
+}  // namespace
+
+void add_history_command(CLI::App& app, ChosenCommand& chosen) {
+    const auto options = std::make_shared<HistoryCommandOptions>();
+    CLI::App* command =
+        app.add_subcommand("history", "The times of a series of runs, with the points where they changed");
+    command->add_option("runs", options->folders, "Folders of runs, the oldest first")->required()->type_name("RUN...");
+    add_repeated_option(*command, "--cell", options->cells,
+                        "Only cells whose id contains this (may be repeated; any may match)")
+        ->type_name("TEXT");
+    command
+        ->add_option("--threshold", options->threshold,
+                     "The smallest step of time that matters, written 2% or 0.02; default: 2%")
+        ->type_name("FRACTION");
+    command->add_option("--format", options->format, "How to write the result; default: table")
+        ->type_name(join(history_format_names(), "|"));
+    command->footer(
+        "Runs are counted from 1. Exit code 0, whatever changed: `compare` judges.\n"
+        "Example: reliefbench history results/2026-* --cell pom\n");
+    command->callback([&chosen, options] { chosen = [options] { return show_history(*options); }; });
+}
+
+}  // namespace reliefbench

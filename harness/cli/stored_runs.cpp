@@ -1,0 +1,62 @@
+#include "cli/stored_runs.hpp"
+
+#include "core/error.hpp"
+#include "core/suggest.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+namespace reliefbench {
+
+namespace {
+
+bool holds_run(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    return std::filesystem::exists(folder / "run.json", ignored);
+}
+
+std::vector<std::string> runs_below(const std::filesystem::path& folder) {
+    std::vector<std::string> runs;
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+        if (holds_run(entry.path())) runs.push_back(entry.path().string());
+    }
+    std::sort(runs.begin(), runs.end());
+    return runs;
+}
+
+void refuse_folder_of_runs(const std::string& folder) {
+    constexpr std::size_t named = 5;
+    if (holds_run(folder)) return;
+    std::vector<std::string> runs = runs_below(folder);
+    if (runs.empty()) return;  // read_run says what is wrong
+    const std::size_t count = runs.size();
+    if (count > named) {
+        runs.resize(named);
+        runs.push_back("...");
+    }
+    fail("{} is no run, but a folder of {} ({}); name the runs that you mean", folder,
+         count == 1 ? "one" : fmt::format("{} runs", count), join(runs));
+}
+
+}  // namespace
+
+std::vector<StoredRun> read_stored_runs(const std::vector<std::string>& folders) {
+    std::vector<StoredRun> runs;
+    std::set<std::filesystem::path> known;
+    for (std::string folder : folders) {
+        refuse_folder_of_runs(folder);
+        while (folder.size() > 1 && folder.ends_with('/')) {
+            folder.pop_back();
+        }
+        std::error_code ignored;
+        if (!known.insert(std::filesystem::weakly_canonical(folder, ignored)).second) {
+            fail("the run {} is named twice; its evidence counts once", folder);
+        }
+        runs.push_back({folder, read_run(folder)});
+    }
+    return runs;
+}
+
+}  // namespace reliefbench
