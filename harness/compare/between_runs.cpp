@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <vector>
 
 namespace reliefbench {
 
@@ -14,6 +15,9 @@ namespace {
 
 /// More than anyone will make: what would take as many is not worth telling.
 constexpr std::size_t most_runs = 1000;
+
+/// Fewer say too little of how far identical code lies apart.
+constexpr std::size_t fewest_control_cells = 10;
 
 /// Without the detour over long double, which costs more than half of the time.
 using StudentsT =
@@ -55,15 +59,16 @@ double p_above(double estimate, double standard_error, double degrees_of_freedom
 }  // namespace
 
 RatioEstimate estimate_between_runs(std::span<const double> base_ms, std::span<const double> new_ms,
-                                    const RunNoise& noise, double threshold, double level) {
+                                    const RunNoise& noise, double threshold, double level, double inflation) {
     assert(!base_ms.empty() && !new_ms.empty());
     const Side base = side_of(base_ms);
     const Side changed = side_of(new_ms);
     const double own_freedom = base.count + changed.count - 2;
     const double freedom = own_freedom + noise.degrees_of_freedom;
     assert(freedom > 0);
-    const double variance =
-        (base.squares + changed.squares + noise.degrees_of_freedom * noise.log_sd * noise.log_sd) / freedom;
+    const double variance = inflation * inflation *
+                            (base.squares + changed.squares + noise.degrees_of_freedom * noise.log_sd * noise.log_sd) /
+                            freedom;
 
     // With as many runs more on each side.
     const std::size_t units = std::min(base_ms.size(), new_ms.size());
@@ -91,6 +96,20 @@ RatioEstimate estimate_between_runs(std::span<const double> base_ms, std::span<c
     estimate.units = units;
     estimate.more = more_units(evidence, threshold, most_runs);
     return estimate;
+}
+
+double noise_inflation(std::span<const ControlCell> cells) {
+    if (cells.size() < fewest_control_cells) return 1;
+    std::vector<double> distances;
+    for (const ControlCell& cell : cells) {
+        const double half_width = std::log(cell.estimate.ci95.high / cell.estimate.ci95.low) / 2;
+        if (half_width <= 0) continue;
+        // In quartiles of t: as many lie below 1 as above.
+        const double quartile =
+            half_width * upper_quantile(0.25, cell.degrees_of_freedom) / upper_quantile(0.025, cell.degrees_of_freedom);
+        distances.push_back(std::abs(std::log(cell.estimate.ratio)) / quartile);
+    }
+    return distances.size() < fewest_control_cells ? 1 : std::max(1.0, median(distances));
 }
 
 }  // namespace reliefbench

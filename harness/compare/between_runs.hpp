@@ -14,6 +14,19 @@ namespace reliefbench {
 /// of freedom is left out where the runs have some of their own. `level`: the two-sided p-value that a verdict must
 /// pass, for `visible` and `more`.
 RatioEstimate estimate_between_runs(std::span<const double> base_ms, std::span<const double> new_ms,
-                                    const RunNoise& noise, double threshold, double level = highest_verdict_p);
+                                    const RunNoise& noise, double threshold, double level = highest_verdict_p,
+                                    double inflation = 1);
+
+/// One cell that runs the same code on both sides: its estimate, made without inflation, and how many degrees of
+/// freedom that has.
+struct ControlCell {
+    RatioEstimate estimate;
+    double degrees_of_freedom = 0;
+};
+
+/// How many times as far from 1 the ratios of identical code lie as their noise accounts for, at least 1: the machine
+/// was in another state on the other side, which no spread within a side shows. The median over cells, as in genomic
+/// control (Devlin & Roeder 1999). With fewer than ten cells 1.
+double noise_inflation(std::span<const ControlCell> cells);
 
 }  // namespace reliefbench

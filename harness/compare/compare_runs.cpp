@@ -23,6 +23,9 @@ constexpr std::size_t fewest_own_degrees_of_freedom = 4;
 /// Half the width of a 95 % interval in standard deviations.
 constexpr double half_width_of_95 = 1.96;
 
+/// Chance alone makes identical code differ by less.
+constexpr double told_inflation = 1.5;
+
 /// One cell over the runs of a side.
 struct SideCell {
     /// Measured, each with its run.
@@ -168,7 +171,7 @@ bool runs_tell(std::size_t base_runs, std::size_t new_runs) {
 RunNoise noise_for(const NoiseSources& sources, const SideCell& base, const SideCell& changed) {
     if (runs_tell(base.measured.size(), changed.measured.size())) return sources.of_runs;
     RunNoise noise = sources.of_machine;
-    noise.log_sd = std::max(noise.log_sd, within_runs(base, changed));
+    noise.log_sd = std::max({noise.log_sd, sources.of_runs.log_sd, within_runs(base, changed)});
     return noise;
 }
 
@@ -257,10 +260,11 @@ Json side_record(std::span<const StoredRun> runs) {
     return json;
 }
 
-Json noise_record(const RunNoise& noise) {
+Json noise_record(const RunNoise& noise, double inflation) {
     Json json;
     json["log_sd"] = noise.log_sd;
     json["degrees_of_freedom"] = noise.degrees_of_freedom;
+    json["inflation"] = inflation;
     json["source"] = noise.source;
     return json;
 }
@@ -291,15 +295,32 @@ Comparison pair_cells(const Side& base, const Side& changed, const QualityTolera
     return comparison;
 }
 
+/// The machine's state moves what no change of code does: by how much the noise has to be widened for it.
+double inflation_of(const Comparison& comparison, const Side& base, const Side& changed, const NoiseSources& noise) {
+    std::vector<ControlCell> controls;
+    for (const CellComparison& cell : comparison.cells) {
+        const SideCell& before = base.cells.at(cell.cell);
+        const SideCell& after = changed.cells.at(cell.cell);
+        if (!same_code(*before.runs[0], *after.runs[0], before.measured[0]->technique)) continue;
+        const RunNoise noise_of_cell = noise_for(noise, before, after);
+        const auto own = static_cast<double>(before.measured.size() + after.measured.size() - 2);
+        controls.push_back(
+            {estimate_between_runs(before.milliseconds(), after.milliseconds(), noise_of_cell, comparison.threshold),
+             own + noise_of_cell.degrees_of_freedom});
+    }
+    return noise_inflation(controls);
+}
+
 void estimate_times(Comparison& comparison, const Side& base, const Side& changed, const NoiseSources& noise,
-                    double false_discovery_rate) {
+                    double inflation, double false_discovery_rate) {
     const auto estimate_all = [&](double level) {
         std::vector<RatioEstimate> estimates;
         for (const CellComparison& cell : comparison.cells) {
             const SideCell& before = base.cells.at(cell.cell);
             const SideCell& after = changed.cells.at(cell.cell);
             estimates.push_back(estimate_between_runs(before.milliseconds(), after.milliseconds(),
-                                                      noise_for(noise, before, after), comparison.threshold, level));
+                                                      noise_for(noise, before, after), comparison.threshold, level,
+                                                      inflation));
         }
         return estimates;
     };
@@ -361,7 +382,17 @@ Comparison compare_runs(std::span<const StoredRun> base_runs, std::span<const St
     }
     const NoiseSources noise{noise_of_runs(medians), machine_noise(base_runs.front(), new_runs.front(), find_noise)};
     const bool own = runs_tell(base_runs.size(), new_runs.size());
-    estimate_times(comparison, base, changed, noise, options.false_discovery_rate);
+    const double inflation = inflation_of(comparison, base, changed, noise);
+    estimate_times(comparison, base, changed, noise, inflation, options.false_discovery_rate);
+    if (inflation > told_inflation) {
+        comparison.notices.insert(
+            comparison.notices.begin(),
+            fmt::format(
+                "cells that run the same code on both sides lie {:.1f} times as far apart as their runs account "
+                "for: the machine was in another state, and all intervals are widened by that factor; "
+                "`reliefbench ab` measures both sides live",
+                inflation));
+    }
     if (!own) {
         comparison.notices.push_back(
             fmt::format("noise between runs: {} ({})", percent(noise.of_machine.log_sd), noise.of_machine.source));
@@ -375,7 +406,7 @@ Comparison compare_runs(std::span<const StoredRun> base_runs, std::span<const St
     }
     comparison.environment["base"] = side_record(base_runs);
     comparison.environment["new"] = side_record(new_runs);
-    comparison.environment["noise"] = noise_record(own ? noise.of_runs : noise.of_machine);
+    comparison.environment["noise"] = noise_record(own ? noise.of_runs : noise.of_machine, inflation);
     return comparison;
 }
 

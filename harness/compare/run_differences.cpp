@@ -106,6 +106,21 @@ bool same_source(const StoredRun& base, const StoredRun& changed, const std::str
     return !before.is_null() && before == value_at(changed, {"techniques", technique.c_str()});
 }
 
+bool same_code(const StoredRun& base, const StoredRun& changed, const std::string& technique) {
+    const auto known_and_equal = [&](std::initializer_list<const char*> path) {
+        const Json before = value_at(base, path);
+        return !before.is_null() && before == value_at(changed, path);
+    };
+    const auto committed = [](const StoredRun& run) { return value_at(run, {"environment", "git_dirty"}) == false; };
+    const bool same_shaders =
+        value_at(base, {"shaders"}).is_null() || value_at(changed, {"shaders"}).is_null()
+            ? known_and_equal({"environment", "git_revision"}) && committed(base) && committed(changed)
+            : known_and_equal({"shaders"});
+    return same_shaders && same_source(base, changed, technique) && known_and_equal({"device", "name"}) &&
+           known_and_equal({"device", "driver"}) && known_and_equal({"device", "driver_version"}) &&
+           known_and_equal({"environment", "cpu"}) && known_and_equal({"environment", "os"});
+}
+
 bool from_changed_tree(const StoredRun& run) {
     return value_at(run, {"environment", "git_dirty"}) == true;
 }
@@ -123,6 +138,10 @@ std::vector<std::string> run_differences(const StoredRun& base, const StoredRun&
     compare("the driver's version", {"device", "driver_version"});
     compare("the tool's version", {"environment", "tool_version"});
     compare("the git revision", {"environment", "git_revision"});
+    if (const Json before = value_at(base, {"shaders"}), after = value_at(changed, {"shaders"});
+        !before.is_null() && !after.is_null() && before != after) {
+        differences.push_back("the shaders that all techniques share changed");
+    }
     std::vector<std::string> sources;
     const Json techniques = value_at(base, {"techniques"});
     for (const auto& [technique, hash] : techniques.items()) {

@@ -22,6 +22,11 @@ bool same_lighting(const StoredRun& base, const StoredRun& changed);
 /// The technique's own folder has the same content on both sides.
 bool same_source(const StoredRun& base, const StoredRun& changed, const std::string& technique);
 
+/// The technique's cells run the same code on the same machine on both sides, as far as the records prove it: the same
+/// source and shared shaders (run.json `shaders`; in records without it the same git revision, nothing uncommitted),
+/// driver, CPU and operating system. What differs then is the state of the machine.
+bool same_code(const StoredRun& base, const StoredRun& changed, const std::string& technique);
+
 /// Why two results of one cell id are of different subjects: parameters (a default changed), axes, or the content of
 /// the height map or its albedo. Empty when they are not.
 std::string subject_difference(const StoredRun& base, const CellResult& base_cell, const StoredRun& changed,

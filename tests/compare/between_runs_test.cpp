@@ -109,4 +109,36 @@ TEST(BetweenRuns, AStricterLevelSeesLess) {
     EXPECT_EQ(strict.more, 1U);
 }
 
+TEST(BetweenRuns, InflationWidensAllAndMovesNothing) {
+    const RatioEstimate usual = estimate_between_runs(base, slower, no_noise, 0.02);
+    const RatioEstimate inflated = estimate_between_runs(base, slower, no_noise, 0.02, highest_verdict_p, 3);
+    EXPECT_EQ(inflated.ratio, usual.ratio);
+    expect_near(std::log(inflated.ci95.high / inflated.ci95.low), 3 * std::log(usual.ci95.high / usual.ci95.low));
+    EXPECT_GT(inflated.p_slower, usual.p_slower);
+    EXPECT_GT(inflated.visible, usual.visible);
+}
+
+std::vector<ControlCell> controls(std::size_t count, double log_ratio) {
+    std::vector<ControlCell> cells(count);
+    for (ControlCell& cell : cells) {
+        // Half width 2.306 standard errors of 0.1 for 8 degrees of freedom.
+        cell.estimate.ratio = std::exp(log_ratio);
+        cell.estimate.ci95 = {std::exp(log_ratio - 0.23060041350333704), std::exp(log_ratio + 0.23060041350333704)};
+        cell.degrees_of_freedom = 8;
+    }
+    return cells;
+}
+
+TEST(NoiseInflation, IsTheMedianDistanceInQuartilesOfT) {
+    // scipy.stats.t.ppf(0.75, 8) is 0.7063866.
+    EXPECT_NEAR(noise_inflation(controls(10, 0.4)), 4 / 0.7063866, 1e-6);
+    EXPECT_NEAR(noise_inflation(controls(11, -0.4)), 4 / 0.7063866, 1e-6);
+}
+
+TEST(NoiseInflation, IsNeverBelowOneAndNeedsTenCells) {
+    EXPECT_EQ(noise_inflation(controls(20, 0.01)), 1);
+    EXPECT_EQ(noise_inflation(controls(9, 0.4)), 1);
+    EXPECT_EQ(noise_inflation({}), 1);
+}
+
 }  // namespace

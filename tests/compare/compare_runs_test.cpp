@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 using namespace reliefbench;
 using testing::AllOf;
@@ -276,7 +278,8 @@ TEST(CompareRuns, AChangedPreparationTimeIsANotice) {
     EXPECT_THAT(compare(base, with_preparation("new", 10)).notices, testing::Not(Contains(HasSubstr("preparing"))));
 }
 
-TEST(CompareRuns, CellsOfUnchangedTechniquesThatMoveAreTheFirstNotice) {
+/// Five runs a side of 20 cells, those of the new side `factor` times slower.
+std::pair<std::vector<StoredRun>, std::vector<StoredRun>> runs_moved_by(double factor) {
     Random random(1);
     RunsModel model;
     model.cells = 20;
@@ -284,16 +287,78 @@ TEST(CompareRuns, CellsOfUnchangedTechniquesThatMoveAreTheFirstNotice) {
     std::vector<StoredRun> changed = synthetic_runs(model, 5, random);
     for (StoredRun& run : changed) {
         for (CellResult& cell : run.run.cells) {
-            cell.time["draw"].median_ms *= 1.5;
+            cell.time["draw"].median_ms *= factor;
         }
     }
-    const Comparison comparison = compare(base, changed);
-    EXPECT_THAT(comparison.notices.front(),
-                AllOf(HasSubstr("20 of 20 cells of techniques whose folders are the same"), HasSubstr("slower")));
-    for (StoredRun& run : changed) {
-        run.run.run["techniques"]["first"] = "other";
+    return {base, changed};
+}
+
+int count(const Comparison& comparison, Verdict verdict) {
+    return static_cast<int>(std::count_if(comparison.cells.begin(), comparison.cells.end(),
+                                          [verdict](const CellComparison& cell) { return cell.verdict == verdict; }));
+}
+
+void set_everywhere(std::vector<StoredRun>& runs, const std::function<void(Json&)>& set) {
+    for (StoredRun& run : runs) {
+        set(run.run.run);
     }
+}
+
+TEST(CompareRuns, TheSameCodeThatMovedWidensAllIntervalsAndIsTheFirstNotice) {
+    const auto [base, changed] = runs_moved_by(1.5);
+    const Comparison comparison = compare(base, changed);
+    EXPECT_EQ(count(comparison, Verdict::undecided), 20);
+    EXPECT_GT(comparison.environment["noise"]["inflation"], 5);
+    EXPECT_THAT(comparison.notices.front(), AllOf(HasSubstr("run the same code on both sides"),
+                                                  HasSubstr("another state"), HasSubstr("`reliefbench ab`")));
+}
+
+TEST(CompareRuns, CodeThatMayDifferIsNoControl) {
+    const auto slower_when = [](const std::function<void(Json&)>& set) {
+        auto [base, changed] = runs_moved_by(1.5);
+        set_everywhere(changed, set);
+        return count(compare(base, changed), Verdict::slower);
+    };
+    EXPECT_EQ(slower_when([](Json&) {}), 0);
+    EXPECT_EQ(slower_when([](Json& run) { run["environment"]["git_revision"] = "def"; }), 20);
+    EXPECT_EQ(slower_when([](Json& run) { run["environment"]["git_revision"] = nullptr; }), 20);
+    EXPECT_EQ(slower_when([](Json& run) { run["environment"]["git_dirty"] = true; }), 20);
+    EXPECT_EQ(slower_when([](Json& run) { run["environment"]["os"] = "another OS"; }), 20);
+    EXPECT_EQ(slower_when([](Json& run) { run["device"]["driver_version"] = "1.3"; }), 20);
+    EXPECT_EQ(slower_when([](Json& run) { run["techniques"]["first"] = "other"; }), 20);
+}
+
+TEST(CompareRuns, TheSharedShadersDecideWhereTheRecordsHaveThem) {
+    auto [base, changed] = runs_moved_by(1.5);
+    set_everywhere(base, [](Json& run) { run["shaders"] = "s"; });
+    set_everywhere(changed, [](Json& run) {
+        run["shaders"] = "s";
+        run["environment"]["git_revision"] = "def";
+    });
+    EXPECT_EQ(count(compare(base, changed), Verdict::slower), 0);
+    set_everywhere(changed, [](Json& run) { run["shaders"] = "other"; });
+    const Comparison comparison = compare(base, changed);
+    EXPECT_EQ(count(comparison, Verdict::slower), 20);
+    EXPECT_THAT(comparison.notices, Contains("the shaders that all techniques share changed"));
+}
+
+TEST(CompareRuns, CellsOfUnchangedTechniquesThatMoveTogetherAreTheFirstNotice) {
+    auto [base, changed] = runs_moved_by(1.5);
+    set_everywhere(changed, [](Json& run) { run["environment"]["git_revision"] = "def"; });
+    EXPECT_THAT(compare(base, changed).notices.front(),
+                AllOf(HasSubstr("20 of 20 cells of techniques whose folders are the same"), HasSubstr("slower")));
+    set_everywhere(changed, [](Json& run) { run["techniques"]["first"] = "other"; });
     EXPECT_THAT(compare(base, changed).notices, testing::Not(Contains(HasSubstr("folders are the same"))));
+}
+
+TEST(CompareRuns, AFewRunsThatLieFarApartOverruleALowMachineNoise) {
+    Random random(1);
+    RunsModel busy;
+    busy.common_sd = 0.5;
+    const std::vector<StoredRun> runs = synthetic_runs(busy, 4, random);
+    const std::span<const StoredRun> all(runs);
+    const Comparison comparison = compare_runs(all.first(2), all.subspan(2), {}, no_record);
+    EXPECT_EQ(count(comparison, Verdict::undecided), 75);
 }
 
 TEST(CompareRuns, TheEnvironmentOfBothSidesIsKept) {
