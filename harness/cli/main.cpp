@@ -76,6 +76,7 @@ int main(int argc, char** argv) {
     add_compare_command(app, chosen);
     add_history_command(app, chosen);
     add_export_command(app, chosen);
+    add_bench_command(app, chosen);
     try {
         std::vector<std::string> arguments = keep_separator({argv + 1, argv + argc});
         std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back

@@ -42,8 +42,17 @@ std::vector<fs::path> technique_folders(const fs::path& root) {
     return folders;
 }
 
+fs::path shaders_in(const fs::path& folder) {
+    return folder / "harness" / "shaders";
+}
+
 fs::path data_folder() {
     if (const char* folder = std::getenv("RELIEFBENCH_DATA_DIR")) return folder;
+    std::error_code unknown;
+    const fs::path beside_binary = fs::read_symlink("/proc/self/exe", unknown).parent_path();
+    for (const fs::path& folder : {beside_binary, beside_binary.parent_path()}) {
+        if (!unknown && fs::is_directory(shaders_in(folder), unknown)) return folder;
+    }
     return RELIEFBENCH_SOURCE_DIR;
 }
 
@@ -98,7 +107,11 @@ fs::path default_technique_root() {
 }
 
 fs::path shader_root() {
-    return data_folder() / "harness" / "shaders";
+    return shaders_in(data_folder());
+}
+
+fs::path configuration_root() {
+    return data_folder() / "configs";
 }
 
 }  // namespace reliefbench

@@ -30,8 +30,10 @@ struct TechniqueLibrary {
 /// Every sub-folder of `roots` with a technique.json. The same id in two roots is an Error.
 TechniqueLibrary find_techniques(const std::vector<std::filesystem::path>& roots);
 
-/// techniques/ and harness/shaders/ beside the sources that built this binary, or from RELIEFBENCH_DATA_DIR.
+/// techniques/, harness/shaders/ and configs/ of RELIEFBENCH_DATA_DIR; where that is not set, of this binary's folder
+/// or the one above (an unpacked archive); else of the sources that built it.
 std::filesystem::path default_technique_root();
 std::filesystem::path shader_root();
+std::filesystem::path configuration_root();
 
 }  // namespace reliefbench

@@ -41,7 +41,9 @@ const std::map<std::string, std::regex> confined_includes = {
     {"embree3/", std::regex("reference/mesh_tracer\\.cpp")},
     {"glslang/", std::regex("gpu/.*\\.cpp")},
     {"SPIRV/", std::regex("gpu/.*\\.cpp")},
+    {"stb_", std::regex("scene/plain_image_file\\.cpp")},
     {"CLI/", std::regex("cli/.*")},
+    {"benchmark/", std::regex("cli/bench_command\\.cpp")},
 };
 
 std::string read(const fs::path& path) {
