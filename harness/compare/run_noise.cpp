@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/special_functions/digamma.hpp>
 #include <boost/math/special_functions/polygamma.hpp>
 #include <boost/math/special_functions/trigamma.hpp>
@@ -85,6 +86,14 @@ std::vector<CellVariance> variances_of(std::span<const CellMedians> cells) {
     return variances;
 }
 
+/// The correlation of cells that it would take to see so little of it once in a hundred: few runs may happen to show
+/// too little of what moves all cells together, and just then the variances look small as well.
+double cautious_correlation(double correlation, double degrees_of_freedom) {
+    const double caution =
+        degrees_of_freedom / boost::math::quantile(boost::math::chi_squared(degrees_of_freedom), 0.01);
+    return caution * correlation / (caution * correlation + 1 - correlation);
+}
+
 /// How many degrees of freedom the mean of the cells' variances has: with one correlation ρ between any two cells, the
 /// squares of their deviations correlate by ρ². Only cells that no run lacks say how they move together.
 double freedom_of_mean_variance(const std::vector<CellVariance>& cells) {
@@ -109,7 +118,8 @@ double freedom_of_mean_variance(const std::vector<CellVariance>& cells) {
     }
     if (complete < static_cast<double>(fewest_cells)) return freedom;
     const double between_cells = sum_of_squares(sums) / freedom - variances;
-    const double correlation = std::clamp(between_cells / (deviations * deviations - variances), 0.0, 1.0);
+    const double seen = std::clamp(between_cells / (deviations * deviations - variances), 0.0, 1.0);
+    const double correlation = cautious_correlation(seen, freedom);
     return freedom * complete / (1 + (complete - 1) * correlation * correlation);
 }
 
