@@ -53,9 +53,9 @@ const MapDeclaration& find_map(const Manifest& manifest, const std::string& name
 
 gpu::CompiledStage compile_stage(const gpu::Device& device, const Technique& technique, const std::string& key,
                                  gpu::ShaderSource source) {
-    source.roots = {shader_root(), technique.folder};
+    source.roots = {technique.shaders, technique.folder};
     const std::string full_key = fmt::format("{}\n{}\n{}\n{}\n{}", technique.folder.string(), technique.hash,
-                                             shader_root().string(), source.file, key);
+                                             technique.shaders.string(), source.file, key);
     const gpu::ShaderStage stage = source.stage;
     auto code = device.shader_cache().get(full_key, [&] {
         try {

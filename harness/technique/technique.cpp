@@ -20,18 +20,6 @@ bool shaders_can_reach(const fs::path& file) {
     return extension != ".md" && extension != ".png";
 }
 
-std::string hash_folder(const fs::path& folder) {
-    std::vector<fs::path> files;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-        if (entry.is_regular_file() && shaders_can_reach(entry.path())) files.push_back(entry.path());
-    }
-    std::sort(files.begin(), files.end());
-    std::string digest;
-    for (const fs::path& file : files)
-        digest += fs::relative(file, folder).generic_string() + '\n' + content_hash(read_text_file(file)) + '\n';
-    return content_hash(digest);
-}
-
 std::vector<fs::path> technique_folders(const fs::path& root) {
     std::error_code error;
     std::vector<fs::path> folders;
@@ -58,6 +46,18 @@ fs::path data_folder() {
 
 }  // namespace
 
+std::string hash_folder(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file() && shaders_can_reach(entry.path())) files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    std::string digest;
+    for (const fs::path& file : files)
+        digest += fs::relative(file, folder).generic_string() + '\n' + content_hash(read_text_file(file)) + '\n';
+    return content_hash(digest);
+}
+
 std::vector<Manifest> TechniqueLibrary::manifests() const {
     std::vector<Manifest> result;
     for (const Technique& technique : techniques)
@@ -77,7 +77,7 @@ const Technique& TechniqueLibrary::get(const std::string& id) const {
     fail("there is no technique '{}'{}; there are: {}", id, did_you_mean(id, known), join(known));
 }
 
-TechniqueLibrary find_techniques(const std::vector<fs::path>& roots) {
+TechniqueLibrary find_techniques(const std::vector<fs::path>& roots, const fs::path& shaders) {
     TechniqueLibrary library;
     std::vector<fs::path> folders;
     for (const fs::path& root : roots) {
@@ -94,7 +94,7 @@ TechniqueLibrary find_techniques(const std::vector<fs::path>& roots) {
     std::sort(folders.begin(), folders.end(), by_id);
     for (const fs::path& folder : folders) {
         try {
-            library.techniques.push_back({load_manifest(folder), folder, hash_folder(folder)});
+            library.techniques.push_back({load_manifest(folder), folder, hash_folder(folder), shaders});
         } catch (const Error& error) {
             library.broken.emplace_back(folder.filename().string(), error.what());
         }

@@ -8,12 +8,20 @@
 
 namespace reliefbench {
 
+/// techniques/, harness/shaders/ and configs/ of RELIEFBENCH_DATA_DIR; where that is not set, of this binary's folder
+/// or the one above (an unpacked archive); else of the sources that built it.
+std::filesystem::path default_technique_root();
+std::filesystem::path shader_root();
+std::filesystem::path configuration_root();
+
 /// A technique as found: its folder is the unit, the folder's name its id.
 struct Technique {
     Manifest manifest;
     std::filesystem::path folder;
     /// Content hash of every file of the folder that shaders can reach, and of technique.json.
     std::string hash;
+    /// Of the GLSL that it is compiled with.
+    std::filesystem::path shaders = shader_root();
 };
 
 struct TechniqueLibrary {
@@ -28,12 +36,10 @@ struct TechniqueLibrary {
 };
 
 /// Every sub-folder of `roots` with a technique.json. The same id in two roots is an Error.
-TechniqueLibrary find_techniques(const std::vector<std::filesystem::path>& roots);
+TechniqueLibrary find_techniques(const std::vector<std::filesystem::path>& roots,
+                                 const std::filesystem::path& shaders = shader_root());
 
-/// techniques/, harness/shaders/ and configs/ of RELIEFBENCH_DATA_DIR; where that is not set, of this binary's folder
-/// or the one above (an unpacked archive); else of the sources that built it.
-std::filesystem::path default_technique_root();
-std::filesystem::path shader_root();
-std::filesystem::path configuration_root();
+/// Content hash of all files below the folder but documents and pictures.
+std::string hash_folder(const std::filesystem::path& folder);
 
 }  // namespace reliefbench

@@ -1,0 +1,105 @@
+#include "core/process.hpp"
+
+#include "core/error.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr int killed_by_signal = 128;
+
+/// A file in memory, so that neither of two outputs can fill up and block the child.
+class CapturedOutput {
+public:
+    explicit CapturedOutput(const char* name) : descriptor_(memfd_create(name, MFD_CLOEXEC)) {
+        if (descriptor_ < 0) fail("cannot keep the output of a child process: {}", std::strerror(errno));
+    }
+    ~CapturedOutput() { close(descriptor_); }
+    CapturedOutput(const CapturedOutput&) = delete;
+    CapturedOutput& operator=(const CapturedOutput&) = delete;
+
+    int descriptor() const { return descriptor_; }
+
+    std::string text() const {
+        std::string result;
+        char buffer[65536];
+        off_t offset = 0;
+        for (ssize_t count = 0; (count = pread(descriptor_, buffer, sizeof buffer, offset)) > 0; offset += count) {
+            result.append(buffer, static_cast<std::size_t>(count));
+        }
+        return result;
+    }
+
+private:
+    int descriptor_;
+};
+
+class FileActions {
+public:
+    FileActions() { posix_spawn_file_actions_init(&actions_); }
+    ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
+    FileActions(const FileActions&) = delete;
+    FileActions& operator=(const FileActions&) = delete;
+
+    posix_spawn_file_actions_t* get() { return &actions_; }
+
+private:
+    posix_spawn_file_actions_t actions_;
+};
+
+std::vector<char*> environment_without(const std::vector<std::string>& unset) {
+    std::vector<char*> kept;
+    for (char** entry = environ; *entry != nullptr; ++entry) {
+        const std::string_view text(*entry);
+        const std::string_view name = text.substr(0, text.find('='));
+        if (std::find(unset.begin(), unset.end(), name) == unset.end()) kept.push_back(*entry);
+    }
+    kept.push_back(nullptr);
+    return kept;
+}
+
+int wait_for(pid_t process) {
+    int status = 0;
+    while (waitpid(process, &status, 0) < 0) {
+        if (errno != EINTR) fail("cannot wait for a child process: {}", std::strerror(errno));
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : killed_by_signal + WTERMSIG(status);
+}
+
+}  // namespace
+
+FinishedProcess run_process(const std::vector<std::string>& arguments, const std::vector<std::string>& unset) {
+    const CapturedOutput output("output");
+    const CapturedOutput errors("errors");
+    FileActions actions;
+    posix_spawn_file_actions_addopen(actions.get(), STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(actions.get(), output.descriptor(), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(actions.get(), errors.descriptor(), STDERR_FILENO);
+
+    std::vector<std::string> words = arguments;
+    std::vector<char*> argument_pointers;
+    for (std::string& word : words) {
+        argument_pointers.push_back(word.data());
+    }
+    argument_pointers.push_back(nullptr);
+    const std::vector<char*> environment = environment_without(unset);
+    pid_t process = 0;
+    const int problem = posix_spawnp(&process, argument_pointers.front(), actions.get(), nullptr,
+                                     argument_pointers.data(), environment.data());
+    if (problem != 0) fail("cannot run {}: {}; is it installed?", arguments.front(), std::strerror(problem));
+    const int exit_code = wait_for(process);
+    return {exit_code, output.text(), errors.text()};
+}
+
+}  // namespace reliefbench
