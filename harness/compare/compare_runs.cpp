@@ -4,115 +4,23 @@
 #include "compare/describe.hpp"
 #include "compare/run_differences.hpp"
 #include "compare/run_noise.hpp"
+#include "compare/run_side.hpp"
 #include "core/error.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <map>
+#include <utility>
 
 namespace reliefbench {
 
 namespace {
 
-constexpr const char* compared_pass = "draw";
-
 /// Enough for the runs to tell their own noise: three a side.
 constexpr std::size_t fewest_own_degrees_of_freedom = 4;
 
-/// Half the width of a 95 % interval in standard deviations.
-constexpr double half_width_of_95 = 1.96;
-
 /// Chance alone makes identical code differ by less.
 constexpr double told_inflation = 1.5;
-
-/// One cell over the runs of a side.
-struct SideCell {
-    /// Measured, each with its run.
-    std::vector<const CellResult*> measured;
-    std::vector<const StoredRun*> runs;
-    /// The first that was not, and how many were not.
-    const CellResult* unmeasured = nullptr;
-    std::size_t unmeasured_count = 0;
-
-    std::vector<double> milliseconds() const {
-        std::vector<double> values;
-        for (const CellResult* result : measured) {
-            values.push_back(result->time.at(compared_pass).median_ms);
-        }
-        return values;
-    }
-};
-
-struct Side {
-    std::span<const StoredRun> runs;
-    /// In the order of their first appearance.
-    std::vector<std::string> order;
-    std::map<std::string, SideCell> cells;
-};
-
-bool is_timed(const CellResult& result) {
-    const auto draw = result.time.find(compared_pass);
-    return result.status == CellStatus::ok && draw != result.time.end() && draw->second.median_ms > 0;
-}
-
-Side gather(std::span<const StoredRun> runs) {
-    Side side;
-    side.runs = runs;
-    for (const StoredRun& run : runs) {
-        for (const CellResult& result : run.run.cells) {
-            const auto [place, is_new] = side.cells.try_emplace(result.cell);
-            if (is_new) side.order.push_back(result.cell);
-            SideCell& cell = place->second;
-            if (is_timed(result)) {
-                cell.measured.push_back(&result);
-                cell.runs.push_back(&run);
-            } else {
-                if (cell.unmeasured == nullptr) cell.unmeasured = &result;
-                ++cell.unmeasured_count;
-            }
-        }
-    }
-    return side;
-}
-
-void require_one_device(std::span<const StoredRun> runs) {
-    for (const StoredRun& run : runs.subspan(1)) {
-        const std::string difference = device_difference(runs.front(), run);
-        if (!difference.empty()) {
-            fail("the runs of one side must come from one device, but {}; leave {} out", difference, run.name);
-        }
-    }
-}
-
-void require_one_subject(const Side& side) {
-    for (const auto& [id, cell] : side.cells) {
-        for (std::size_t index = 1; index < cell.measured.size(); ++index) {
-            const std::string difference =
-                subject_difference(*cell.runs[0], *cell.measured[0], *cell.runs[index], *cell.measured[index]);
-            if (!difference.empty()) {
-                fail(
-                    "the runs of one side must measure the same, but {} and {} differ in the cell '{}': {}; leave one "
-                    "of them out",
-                    cell.runs[0]->name, cell.runs[index]->name, id, difference);
-            }
-        }
-    }
-}
-
-std::string unmeasured_text(const SideCell& cell) {
-    if (cell.unmeasured == nullptr) return "missing";
-    const std::string reason = cell.unmeasured->reason.empty() ? "" : ": " + cell.unmeasured->reason;
-    switch (cell.unmeasured->status) {
-        case CellStatus::skipped:
-            return "skipped" + reason;
-        case CellStatus::failed:
-            return "failed" + reason;
-        case CellStatus::ok:
-            break;
-    }
-    return fmt::format("without a time of the pass {}", compared_pass);
-}
 
 /// Why the cell cannot be compared; empty when it can.
 std::optional<UncomparedCell> uncompared(const std::string& id, const SideCell* base, const SideCell* changed) {
@@ -136,29 +44,6 @@ std::optional<UncomparedCell> uncompared(const std::string& id, const SideCell* 
     return std::nullopt;
 }
 
-/// "; in 3 of 5 base runs (one failed: ...)", or nothing when every run has the cell.
-std::string partial_text(const SideCell& cell, std::size_t runs, std::string_view side) {
-    if (cell.measured.size() == runs) return "";
-    return fmt::format("; measured in {} of {} {} runs only (in the others {})", cell.measured.size(), runs, side,
-                       unmeasured_text(cell));
-}
-
-/// How uncertain the medians are by their own runs' evidence, as the standard deviation of a logarithm.
-double within_runs(const SideCell& base, const SideCell& changed) {
-    double variance = 0;
-    double count = 0;
-    for (const SideCell* cell : {&base, &changed}) {
-        for (const CellResult* result : cell->measured) {
-            const Interval& interval = result->time.at(compared_pass).ci95_ms;
-            if (interval.low <= 0 || interval.high < interval.low) continue;
-            const double deviation = std::log(interval.high / interval.low) / (2 * half_width_of_95);
-            variance += deviation * deviation;
-            ++count;
-        }
-    }
-    return count == 0 ? 0 : std::sqrt(variance / count);
-}
-
 struct NoiseSources {
     RunNoise of_runs;
     RunNoise of_machine;
@@ -171,7 +56,7 @@ bool runs_tell(std::size_t base_runs, std::size_t new_runs) {
 RunNoise noise_for(const NoiseSources& sources, const SideCell& base, const SideCell& changed) {
     if (runs_tell(base.measured.size(), changed.measured.size())) return sources.of_runs;
     RunNoise noise = sources.of_machine;
-    noise.log_sd = std::max({noise.log_sd, sources.of_runs.log_sd, within_runs(base, changed)});
+    noise.log_sd = std::max({noise.log_sd, sources.of_runs.log_sd, deviation_within_runs(base, changed)});
     return noise;
 }
 
@@ -200,7 +85,8 @@ QualityComparison compare_quality_of(const SideCell& base, const SideCell& chang
 }
 
 /// Cells of techniques whose folders did not change are told apart: when they move, something else did.
-std::optional<std::string> notice_of_common_shift(const Comparison& comparison, const Side& base, const Side& changed) {
+std::optional<std::string> notice_of_common_shift(const Comparison& comparison, const RunSide& base,
+                                                  const RunSide& changed) {
     std::size_t unchanged = 0;
     std::vector<double> slower;
     std::vector<double> faster;
@@ -223,7 +109,7 @@ std::optional<std::string> notice_of_common_shift(const Comparison& comparison, 
 }
 
 /// Per run, the time of all preparations of the compared cells; empty unless every run has them all.
-std::vector<double> preparation_of(const Side& side, const Comparison& comparison) {
+std::vector<double> preparation_of(const RunSide& side, const Comparison& comparison) {
     std::vector<double> sums(side.runs.size(), 0.0);
     for (const CellComparison& cell : comparison.cells) {
         const SideCell& results = side.cells.at(cell.cell);
@@ -236,8 +122,8 @@ std::vector<double> preparation_of(const Side& side, const Comparison& compariso
     return positive ? sums : std::vector<double>();
 }
 
-std::optional<std::string> notice_of_preparation(const Comparison& comparison, const Side& base, const Side& changed,
-                                                 const RunNoise& noise) {
+std::optional<std::string> notice_of_preparation(const Comparison& comparison, const RunSide& base,
+                                                 const RunSide& changed, const RunNoise& noise) {
     const std::vector<double> before = preparation_of(base, comparison);
     const std::vector<double> after = preparation_of(changed, comparison);
     if (before.empty() || after.empty()) return std::nullopt;
@@ -270,9 +156,9 @@ Json noise_record(const RunNoise& noise, double inflation) {
 }
 
 /// The cells that can be compared, without times yet; tells why of the others.
-Comparison pair_cells(const Side& base, const Side& changed, const QualityTolerance& tolerance) {
+Comparison pair_cells(const RunSide& base, const RunSide& changed, const QualityTolerance& tolerance) {
     Comparison comparison;
-    const auto find = [](const Side& side, const std::string& id) {
+    const auto find = [](const RunSide& side, const std::string& id) {
         const auto found = side.cells.find(id);
         return found == side.cells.end() ? nullptr : &found->second;
     };
@@ -296,7 +182,8 @@ Comparison pair_cells(const Side& base, const Side& changed, const QualityTolera
 }
 
 /// The machine's state moves what no change of code does: by how much the noise has to be widened for it.
-double inflation_of(const Comparison& comparison, const Side& base, const Side& changed, const NoiseSources& noise) {
+double inflation_of(const Comparison& comparison, const RunSide& base, const RunSide& changed,
+                    const NoiseSources& noise) {
     std::vector<ControlCell> controls;
     for (const CellComparison& cell : comparison.cells) {
         const SideCell& before = base.cells.at(cell.cell);
@@ -311,7 +198,7 @@ double inflation_of(const Comparison& comparison, const Side& base, const Side& 
     return noise_inflation(controls);
 }
 
-void estimate_times(Comparison& comparison, const Side& base, const Side& changed, const NoiseSources& noise,
+void estimate_times(Comparison& comparison, const RunSide& base, const RunSide& changed, const NoiseSources& noise,
                     double inflation, double false_discovery_rate) {
     const auto estimate_all = [&](double level) {
         std::vector<RatioEstimate> estimates;
@@ -343,8 +230,8 @@ void estimate_times(Comparison& comparison, const Side& base, const Side& change
 Comparison compare_runs(std::span<const StoredRun> base_runs, std::span<const StoredRun> new_runs,
                         const CompareOptions& options, const NoiseLookup& find_noise) {
     assert(!base_runs.empty() && !new_runs.empty());
-    require_one_device(base_runs);
-    require_one_device(new_runs);
+    const RunSide base = gather_side(base_runs);
+    const RunSide changed = gather_side(new_runs);
     const std::string device = device_difference(base_runs.front(), new_runs.front());
     if (!device.empty() && !options.across_devices) {
         fail(
@@ -352,11 +239,6 @@ Comparison compare_runs(std::span<const StoredRun> base_runs, std::span<const St
             "them all the same",
             device);
     }
-    const Side base = gather(base_runs);
-    const Side changed = gather(new_runs);
-    require_one_subject(base);
-    require_one_subject(changed);
-
     Comparison comparison = pair_cells(base, changed, options.quality);
     comparison.threshold = options.threshold;
     if (!device.empty()) comparison.notices.push_back("the devices differ: " + device);

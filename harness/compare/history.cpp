@@ -2,6 +2,7 @@
 
 #include "compare/optimal_segments.hpp"
 #include "compare/run_differences.hpp"
+#include "compare/run_side.hpp"
 #include "core/error.hpp"
 #include "core/statistics.hpp"
 
@@ -15,8 +16,6 @@
 namespace reliefbench {
 
 namespace {
-
-constexpr const char* compared_pass = "draw";
 
 /// Two values more than a mean needs: one outlier never makes a segment.
 constexpr std::size_t shortest_segment = 3;
@@ -153,8 +152,7 @@ std::map<std::string, std::vector<Measured>> results_by_cell(std::span<const Sto
     std::map<std::string, std::vector<Measured>> results;
     for (std::size_t index = 0; index < runs.size(); ++index) {
         for (const CellResult& result : runs[index].run.cells) {
-            const auto draw = result.time.find(compared_pass);
-            if (result.status != CellStatus::ok || draw == result.time.end() || draw->second.median_ms <= 0) continue;
+            if (!is_timed(result)) continue;
             const auto [place, is_new] = results.try_emplace(result.cell);
             if (is_new) {
                 order.push_back(result.cell);

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "compare/stored_run.hpp"
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace reliefbench {
+
+/// The pass whose time is compared.
+constexpr const char* compared_pass = "draw";
+
+/// One cell over the runs of a side.
+struct SideCell {
+    /// Measured, each with its run.
+    std::vector<const CellResult*> measured;
+    std::vector<const StoredRun*> runs;
+    /// The first result that has no time.
+    const CellResult* unmeasured = nullptr;
+
+    /// Medians of the compared pass, one per run that measured the cell.
+    std::vector<double> milliseconds() const;
+};
+
+/// The runs of one side by cell; refers to them.
+struct RunSide {
+    std::span<const StoredRun> runs;
+    /// In the order of their first appearance.
+    std::vector<std::string> order;
+    std::map<std::string, SideCell> cells;
+};
+
+/// Runs that differ in device, or in what one of their cells is of (subject_difference), are an Error. At least one
+/// run.
+RunSide gather_side(std::span<const StoredRun> runs);
+
+/// The result has a positive time of the compared pass.
+bool is_timed(const CellResult& result);
+
+/// Why no run measured the cell, or why some did not: "failed: lost device".
+std::string unmeasured_text(const SideCell& cell);
+
+/// "; measured in 3 of 5 base runs only (in the others failed: ...)", or nothing when every run has the cell.
+std::string partial_text(const SideCell& cell, std::size_t runs, std::string_view side);
+
+/// How uncertain the medians of both sides are by their own runs' intervals: the standard deviation of a logarithm.
+double deviation_within_runs(const SideCell& base, const SideCell& changed);
+
+}  // namespace reliefbench
