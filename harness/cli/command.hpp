@@ -24,6 +24,8 @@ void add_render_command(CLI::App& app, ChosenCommand& chosen);
 void add_verify_command(CLI::App& app, ChosenCommand& chosen);
 void add_compare_command(CLI::App& app, ChosenCommand& chosen);
 void add_history_command(CLI::App& app, ChosenCommand& chosen);
+void add_ab_command(CLI::App& app, ChosenCommand& chosen);
+void add_selfcheck_command(CLI::App& app, ChosenCommand& chosen);
 void add_export_command(CLI::App& app, ChosenCommand& chosen);
 void add_bench_command(CLI::App& app, ChosenCommand& chosen);
 

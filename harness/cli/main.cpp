@@ -73,6 +73,8 @@ int main(int argc, char** argv) {
     add_run_command(app, chosen, {argv, argv + argc});
     add_render_command(app, chosen);
     add_verify_command(app, chosen);
+    add_ab_command(app, chosen);
+    add_selfcheck_command(app, chosen);
     add_compare_command(app, chosen);
     add_history_command(app, chosen);
     add_export_command(app, chosen);

@@ -1,0 +1,149 @@
+#include "cli/command.hpp"
+#include "cli/comparison_output.hpp"
+#include "cli/duration.hpp"
+#include "cli/progress_printer.hpp"
+#include "cli/run_sources.hpp"
+#include "cli/shared_options.hpp"
+#include "cli/threshold.hpp"
+#include "cli/variant_comparison.hpp"
+#include "core/scratch_folder.hpp"
+#include "core/suggest.hpp"
+#include "measure/run_record.hpp"
+#include "measure/shared_inputs.hpp"
+#include "measure/variants.hpp"
+#include "technique/baseline_sources.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+namespace reliefbench {
+
+namespace {
+
+struct AbOptions {
+    std::string configuration;
+    std::string baseline;
+    std::string threshold = "1%";
+    std::string budget = "5m";
+    std::vector<std::string> axes;
+    std::vector<std::string> filters;
+    TechniqueOptions library;
+    DeviceChoice device;
+    ComparisonOutput output;
+};
+
+TechniqueSources own_sources(const RunSources& sources) {
+    TechniqueSources own{{default_technique_root()}, shader_root(), "the work tree"};
+    own.roots.insert(own.roots.end(), sources.technique_directories.begin(), sources.technique_directories.end());
+    return own;
+}
+
+/// What the reader must know of the two sides before any figure.
+std::vector<std::string> notices_on(const TechniqueLibrary& base, const TechniqueLibrary& changed,
+                                    const VariantOutcome& outcome, const TechniqueSources& baseline) {
+    std::vector<std::string> notices{fmt::format("the base is {}", baseline.description)};
+    notices.insert(notices.end(), baseline.notices.begin(), baseline.notices.end());
+    const bool same_shaders = hash_folder(baseline.shaders) == hash_folder(shader_root());
+    if (!same_shaders) {
+        notices.push_back(
+            "the shared shaders (harness/shaders) differ between the sides, and each side is compiled with its own");
+    }
+    std::set<std::string> unchanged;
+    for (const MeasuredPair& pair : outcome.measured) {
+        const std::string& id = pair.changed.technique;
+        if (same_shaders && base.get(id).hash == changed.get(id).hash) unchanged.insert(id);
+    }
+    if (!unchanged.empty()) {
+        notices.push_back(fmt::format("the sources are the same on both sides: {}",
+                                      join(std::vector<std::string>(unchanged.begin(), unchanged.end()))));
+    }
+    return notices;
+}
+
+Json side_record(const std::string& sources, const TechniqueLibrary& library) {
+    Json hashes = Json::object();
+    for (const Technique& technique : library.techniques) {
+        hashes[technique.manifest.id] = technique.hash;
+    }
+    return {{"sources", sources}, {"techniques", std::move(hashes)}};
+}
+
+ExitCode compare_live(const AbOptions& options) {
+    const double threshold = parse_threshold(options.threshold, "--threshold");
+    VariantSettings settings;
+    settings.budget_s = parse_duration(options.budget, "--budget");
+    options.output.check();
+    const RunSources sources = read_run_sources(options.configuration, options.axes, options.filters, options.library);
+    settings.seed = sources.configuration.seed;
+    const ScratchFolder scratch;
+    const TechniqueSources own = own_sources(sources);
+    const TechniqueSources baseline = find_baseline(options.baseline, own, scratch.path());
+    const TechniqueLibrary base = find_techniques(baseline.roots, baseline.shaders);
+
+    const std::vector<HeightMapRecord> maps = inspect_height_maps(sources.cells);
+    const gpu::Device device(options.device.options);
+    const Json record = make_run_record({sources.configuration, sources.library, sources.cells, maps, device});
+    fmt::print(stderr, "{} cells on {}, base: {}\n", sources.cells.size(), device.info().name, baseline.description);
+    VariantOutcome outcome;
+    {
+        ProgressPrinter printer;
+        outcome = measure_variants(device, {base, sources.library}, sources.configuration, sources.cells, settings,
+                                   decided_at_looks(threshold, sources.cells.size()),
+                                   [&printer](const Progress& progress) { printer(progress); });
+    }
+    Comparison comparison = compare_variants(outcome, threshold);
+    comparison.notices = notices_on(base, sources.library, outcome, baseline);
+    comparison.environment["device"] = record.at("device");
+    comparison.environment["environment"] = record.at("environment");
+    comparison.environment["base"] = side_record(baseline.description, base);
+    comparison.environment["new"] = side_record(own.description, sources.library);
+    comparison.environment["sampling"] = {{"budget_s", settings.budget_s},
+                                          {"spent_s", outcome.sampling_s},
+                                          {"samples_per_visit", settings.samples_per_visit},
+                                          {"minimum_pass_ms", settings.minimum_pass_ms},
+                                          {"seed", settings.seed}};
+    const ExitCode code = options.output.print(comparison);
+    return graver(code, check_validation(device));
+}
+
+}  // namespace
+
+void add_ab_command(CLI::App& app, ChosenCommand& chosen) {
+    const auto options = std::make_shared<AbOptions>();
+    CLI::App* command = app.add_subcommand("ab", "Compare two versions of the shaders live, interleaved");
+    command->add_option("configuration", options->configuration, "A configuration, or the run.json of an earlier run")
+        ->required()
+        ->type_name("CONFIG");
+    command
+        ->add_option("--baseline", options->baseline,
+                     "What the techniques and shared shaders of the work tree are compared with: a checkout, a folder "
+                     "of technique folders, or a git revision")
+        ->required()
+        ->type_name("DIR|REVISION");
+    command->add_option("--threshold", options->threshold, "The least change that counts; default: 1%")
+        ->type_name("PERCENT");
+    command
+        ->add_option("--budget", options->budget,
+                     "Time for sampling, for all cells together: 90s, 5m, 1h; preparing them comes on top; default: 5m")
+        ->type_name("TIME");
+    add_repeated_option(*command, "-a,--axis", options->axes,
+                        "Values of an axis or parameter in place of the configuration's (may be repeated)")
+        ->type_name("NAME=VALUES");
+    add_repeated_option(*command, "--filter", options->filters, "Keep only cells that fulfil this (may be repeated)")
+        ->type_name("EXPR");
+    options->library.add_to(*command);
+    options->device.add_to(*command);
+    options->output.add_to(*command);
+    command->footer(
+        "The comparison goes to standard output, progress to standard error. Exit codes: 0 nothing slower or worse;\n"
+        "1 a cell slower, or its quality worse; 3 some undecided; 4 a cell failed that the baseline could draw.\n"
+        "Example: reliefbench ab configs/quick.json --baseline HEAD~1 --filter technique=pom --budget 2m\n");
+    command->callback([&chosen, options] { chosen = [options] { return compare_live(*options); }; });
+}
+
+}  // namespace reliefbench

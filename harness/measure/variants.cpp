@@ -1,0 +1,256 @@
+#include "measure/variants.hpp"
+
+#include "core/error.hpp"
+#include "core/random.hpp"
+#include "measure/cell_preparation.hpp"
+#include "measure/draw_subject.hpp"
+#include "measure/shared_inputs.hpp"
+#include "technique/renderer.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace reliefbench {
+
+namespace {
+
+std::string with_side(const std::string& side, const std::string& reason) {
+    return side + ": " + reason;
+}
+
+const Technique* find_technique(const TechniqueLibrary& library, const std::string& id) {
+    const auto found = std::find_if(library.techniques.begin(), library.techniques.end(),
+                                    [&](const Technique& technique) { return technique.manifest.id == id; });
+    return found == library.techniques.end() ? nullptr : &*found;
+}
+
+/// The draw of one side. Both sides of a pair put as many draws into one timestamp pair.
+class VariantSubject : public Subject {
+public:
+    VariantSubject(Renderer& renderer, const SamplingSettings& sampling, std::shared_ptr<int> repeats)
+        : renderer_(renderer), sampling_(sampling), repeats_(std::move(repeats)) {}
+
+    void warm_up() override {
+        DrawSubject draw([this](int samples, int repeats) { return renderer_.time_draw(samples, repeats); }, sampling_);
+        draw.warm_up();
+        *repeats_ = std::max(*repeats_, draw.repeats());
+    }
+
+    std::map<std::string, std::vector<double>> visit(int count) override {
+        return {{draw_pass, renderer_.time_draw(count, *repeats_)}};
+    }
+
+private:
+    Renderer& renderer_;
+    const SamplingSettings& sampling_;
+    std::shared_ptr<int> repeats_;
+};
+
+/// One execution of measure_variants.
+class VariantExecution {
+public:
+    VariantExecution(const gpu::Device& device, const Variants& variants, const Configuration& configuration,
+                     const std::vector<Cell>& cells, const VariantSettings& settings, const CellIsDecided& is_decided,
+                     const std::function<void(const Progress&)>& on_progress, const Clock& clock)
+        : device_(device),
+          variants_(variants),
+          configuration_(configuration),
+          cells_(cells),
+          settings_(settings),
+          is_decided_(is_decided),
+          on_progress_(on_progress),
+          clock_(clock),
+          start_s_(clock.seconds()),
+          inputs_(device, configuration.lighting, configuration.truth) {
+        configuration_.sampling.minimum_pass_ms = settings.minimum_pass_ms;
+    }
+
+    VariantOutcome run() {
+        std::vector<Cell> comparable;
+        for (const Cell& cell : cells_) {
+            const std::string reason = cell.skip_reason.empty()
+                                           ? missing_in_baseline(cell, variants_.base, variants_.changed)
+                                           : cell.skip_reason;
+            if (reason.empty()) {
+                comparable.push_back(cell);
+            } else {
+                outcome_.unmeasured.push_back({cell.id, reason});
+                ++cells_done_;
+            }
+        }
+        std::size_t cells_left = comparable.size();
+        const std::vector<Block> blocks = make_blocks(comparable);
+        for (std::size_t block = 0; block < blocks.size(); ++block) {
+            const double share = static_cast<double>(blocks[block].cells.size()) / static_cast<double>(cells_left);
+            measure_block(comparable, blocks[block], share * (settings_.budget_s - outcome_.sampling_s),
+                          mix_bits(settings_.seed + block));
+            cells_left -= blocks[block].cells.size();
+        }
+        return std::move(outcome_);
+    }
+
+private:
+    /// A cell with both sides ready to be sampled.
+    struct ReadyPair {
+        PreparedCell base;
+        PreparedCell changed;
+    };
+
+    void measure_block(const std::vector<Cell>& comparable, const Block& block, double budget_s, std::uint64_t seed) {
+        std::vector<ViewKey> views;
+        for (const std::size_t index : block.cells) {
+            views.push_back(comparable[index].view);
+        }
+        inputs_.keep_only(views);
+        std::vector<ReadyPair> ready;
+        ready.reserve(block.cells.size());
+        for (const std::size_t index : block.cells) {
+            report(comparable[index].id);
+            if (auto pair = make_ready(comparable[index])) {
+                ready.push_back(std::move(*pair));
+            } else {
+                ++cells_done_;
+            }
+        }
+        const double begin_s = clock_.seconds();
+        sample(ready, budget_s, seed);
+        outcome_.sampling_s += clock_.seconds() - begin_s;
+    }
+
+    /// Empty when it cannot be measured, which is then recorded.
+    std::optional<ReadyPair> make_ready(const Cell& cell) {
+        const Technique& base = *find_technique(variants_.base, cell.technique);
+        std::string reason;
+        auto prepared_base = prepare(base, baseline_cell(cell, base.manifest), reason);
+        if (!prepared_base) {
+            outcome_.unmeasured.push_back({cell.id, with_side("baseline", reason)});
+            return std::nullopt;
+        }
+        auto prepared_changed = prepare(variants_.changed.get(cell.technique), cell, reason);
+        if (!prepared_changed) {
+            outcome_.unmeasured.push_back({cell.id, with_side("new side", reason), true});
+            return std::nullopt;
+        }
+        return ReadyPair{std::move(*prepared_base), std::move(*prepared_changed)};
+    }
+
+    std::optional<PreparedCell> prepare(const Technique& technique, const Cell& cell, std::string& reason) {
+        try {
+            const Resolution map_size = inputs_.map(cell.view).map.heights.size;
+            reason = unsupported_reason(device_, technique, cell.view.view, map_size);
+            if (!reason.empty()) return std::nullopt;
+            PreparedCell prepared = prepare_cell(device_, technique, cell, inputs_, configuration_);
+            prepared.probe = Probe{};
+            return prepared;
+        } catch (const Error& error) {
+            reason = error.what();
+            return std::nullopt;
+        }
+    }
+
+    void sample(std::vector<ReadyPair>& ready, double budget_s, std::uint64_t seed) {
+        std::vector<std::unique_ptr<VariantSubject>> subjects;
+        std::vector<SubjectPair> pairs;
+        for (ReadyPair& pair : ready) {
+            const auto repeats = std::make_shared<int>(1);
+            const auto add = [&](PreparedCell& side) {
+                subjects.push_back(std::make_unique<VariantSubject>(side.renderer, configuration_.sampling, repeats));
+                return subjects.back().get();
+            };
+            Subject* const base = add(pair.base);
+            pairs.push_back({base, add(pair.changed)});
+        }
+        std::vector<std::string> failures(ready.size());
+        const PairCallbacks callbacks{
+            .is_decided = [&](std::size_t, const LogRatios& log_ratios) { return is_decided_(log_ratios); },
+            .on_failure = [&](std::size_t pair, const std::string& reason) { failures[pair] = reason; },
+            .on_round =
+                [&](std::size_t undecided) {
+                    report(fmt::format("{} of {} cells of this block decided", ready.size() - undecided, ready.size()));
+                }};
+        std::vector<LogRatios> log_ratios =
+            sample_pairs(pairs, {settings_.samples_per_visit, budget_s, seed}, callbacks, clock_);
+        for (std::size_t pair = 0; pair < ready.size(); ++pair) {
+            ++cells_done_;
+            if (failures[pair].empty()) {
+                outcome_.measured.push_back({std::move(ready[pair].base.result), std::move(ready[pair].changed.result),
+                                             std::move(log_ratios[pair])});
+            } else {
+                outcome_.unmeasured.push_back({ready[pair].changed.result.cell, failures[pair], true});
+            }
+        }
+    }
+
+    void report(const std::string& current) const {
+        if (!on_progress_) return;
+        Progress progress;
+        progress.cells_done = cells_done_;
+        progress.cells_total = cells_.size();
+        progress.current = current;
+        progress.elapsed_s = clock_.seconds() - start_s_;
+        on_progress_(progress);
+    }
+
+    const gpu::Device& device_;
+    const Variants& variants_;
+    Configuration configuration_;
+    const std::vector<Cell>& cells_;
+    const VariantSettings& settings_;
+    const CellIsDecided& is_decided_;
+    const std::function<void(const Progress&)>& on_progress_;
+    const Clock& clock_;
+    double start_s_;
+    SharedInputs inputs_;
+    VariantOutcome outcome_;
+    std::size_t cells_done_ = 0;
+};
+
+}  // namespace
+
+std::string missing_in_baseline(const Cell& cell, const TechniqueLibrary& base, const TechniqueLibrary& changed) {
+    const Technique* const technique = find_technique(base, cell.technique);
+    if (technique == nullptr) {
+        for (const auto& [id, message] : base.broken) {
+            if (id == cell.technique) return "the baseline's technique cannot be used: " + message;
+        }
+        return "the baseline has no such technique";
+    }
+    const Manifest& manifest = technique->manifest;
+    for (const auto& [name, value] : cell.parameters) {
+        const Parameter* const parameter = manifest.find_parameter(name);
+        const std::string value_text = to_string(value);
+        if (parameter == nullptr) {
+            const Parameter* const own = changed.get(cell.technique).manifest.find_parameter(name);
+            if (own == nullptr || own->default_value != value) {
+                return fmt::format("the baseline's technique has no parameter {}, which is {} here", name, value_text);
+            }
+            continue;
+        }
+        const std::string problem = check_parameter_value(*parameter, value);
+        if (!problem.empty()) return fmt::format("the baseline does not take {}={}: {}", name, value_text, problem);
+    }
+    const std::string id = cell_id(manifest, baseline_cell(cell, manifest).parameters, cell.view);
+    if (id != cell.id) return fmt::format("a default has changed: in the baseline this cell is '{}'", id);
+    return {};
+}
+
+Cell baseline_cell(const Cell& cell, const Manifest& base) {
+    Cell result = cell;
+    result.parameters = base.defaults();
+    for (auto& [name, value] : result.parameters) {
+        const auto set = cell.parameters.find(name);
+        if (set != cell.parameters.end()) value = set->second;
+    }
+    return result;
+}
+
+VariantOutcome measure_variants(const gpu::Device& device, const Variants& variants, const Configuration& configuration,
+                                const std::vector<Cell>& cells, const VariantSettings& settings,
+                                const CellIsDecided& is_decided,
+                                const std::function<void(const Progress&)>& on_progress, const Clock& clock) {
+    return VariantExecution(device, variants, configuration, cells, settings, is_decided, on_progress, clock).run();
+}
+
+}  // namespace reliefbench
