@@ -8,6 +8,7 @@
 #include "measure/clock.hpp"
 #include "measure/run.hpp"
 #include "measure/run_record.hpp"
+#include "measure/run_summary.hpp"
 #include "measure/shared_inputs.hpp"
 #include "report/table.hpp"
 #include "store/run_folder.hpp"
@@ -70,12 +71,6 @@ void warn_of_constant_maps(const std::vector<HeightMapRecord>& maps) {
     }
 }
 
-void print_split(const TimeSplit& split) {
-    const double useful_s = split.samples_s + split.truth_s;
-    fmt::print("time: {:.1f} s in all; {:.1f} s inside counted GPU samples, {:.1f} s tracing truths: {:.0f} %\n",
-               split.total_s, split.samples_s, split.truth_s, 100 * useful_s / split.total_s);
-}
-
 ExitCode report_failures(const std::vector<CellResult>& cells) {
     std::size_t failures = 0;
     for (const CellResult& cell : cells) {
@@ -112,7 +107,9 @@ ExitCode run(const RunOptions& options) {
     }
     outcome.split.total_s = steady_clock().seconds() - start_s;
     fmt::print("{}", format_table(outcome.cells));
-    print_split(outcome.split);
+    const Json& empty_pass = record.at("empty_pass");
+    fmt::print("{}", format_run_summary(outcome, empty_pass));
+    writer.write_summary(make_run_summary(outcome, empty_pass));
     write_exports(writer.folder(), exports);
     return graver(report_failures(outcome.cells), check_validation(device));
 }

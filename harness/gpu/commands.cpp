@@ -1,6 +1,8 @@
 #include "gpu/commands.hpp"
 
-#include <limits>
+#include "gpu/recording.hpp"
+
+#include <string>
 
 namespace reliefbench::gpu {
 
@@ -12,26 +14,9 @@ constexpr auto everything_read_or_written = vk::AccessFlagBits2::eMemoryRead | v
 
 void submit_and_wait(const Device& device, std::string_view what,
                      const std::function<void(const vk::raii::CommandBuffer&)>& record) {
-    const DeviceHandles& handles = device.handles();
-    translate_errors(what, handles.info.name, [&] {
-        vk::raii::CommandBuffers buffers(handles.device,
-                                         vk::CommandBufferAllocateInfo{.commandPool = *handles.command_pool,
-                                                                       .level = vk::CommandBufferLevel::ePrimary,
-                                                                       .commandBufferCount = 1});
-        const vk::raii::CommandBuffer& commands = buffers.front();
-        commands.begin(vk::CommandBufferBeginInfo{.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-        record(commands);
-        // What the device wrote shall be visible to the host once the fence has been waited for.
-        full_barrier(commands);
-        commands.end();
-
-        const vk::raii::Fence fence(handles.device, vk::FenceCreateInfo{});
-        const vk::CommandBufferSubmitInfo submitted{.commandBuffer = *commands};
-        handles.queue.submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &submitted}, *fence);
-        const vk::Result result = handles.device.waitForFences(*fence, true, std::numeric_limits<std::uint64_t>::max());
-        if (result != vk::Result::eSuccess)
-            fail("cannot {}: waiting for the device gave {}", what, vk::to_string(result));
-    });
+    Recording recording(device, std::string(what), record);
+    recording.submit();
+    recording.wait();
 }
 
 void full_barrier(const vk::raii::CommandBuffer& commands) {

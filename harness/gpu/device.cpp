@@ -78,6 +78,27 @@ std::string find_unusable_reason(const vk::raii::PhysicalDevice& device,
     return {};
 }
 
+bool has_extension(const vk::raii::PhysicalDevice& device, std::string_view name) {
+    const std::vector<vk::ExtensionProperties> extensions = device.enumerateDeviceExtensionProperties();
+    return std::any_of(extensions.begin(), extensions.end(), [&](const vk::ExtensionProperties& extension) {
+        return name == std::string_view(extension.extensionName.data());
+    });
+}
+
+bool tells_of_executables(const vk::raii::PhysicalDevice& device) {
+    using Features = vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR;
+    if (!has_extension(device, VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME)) return false;
+    return device.getFeatures2<vk::PhysicalDeviceFeatures2, Features>().get<Features>().pipelineExecutableInfo;
+}
+
+std::string find_pci_address(const vk::raii::PhysicalDevice& device) {
+    if (!has_extension(device, VK_EXT_PCI_BUS_INFO_EXTENSION_NAME)) return {};
+    const auto chain =
+        device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDevicePCIBusInfoPropertiesEXT>();
+    const auto& pci = chain.get<vk::PhysicalDevicePCIBusInfoPropertiesEXT>();
+    return fmt::format("{:04x}:{:02x}:{:02x}.{:x}", pci.pciDomain, pci.pciBus, pci.pciDevice, pci.pciFunction);
+}
+
 DeviceInfo describe(const vk::raii::PhysicalDevice& device, int index) {
     DeviceInfo info;
     info.index = index;
@@ -101,6 +122,7 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& device, int index) {
     const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
     const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
     info.driver = driver.driverName.data();
+    info.pci_address = find_pci_address(device);
     if (driver.driverInfo[0] != '\0') info.driver_version = driver.driverInfo.data();
     const std::uint32_t family = *find_queue_family(device);
     info.timestamp_valid_bits = static_cast<int>(device.getQueueFamilyProperties()[family].timestampValidBits);
@@ -108,6 +130,7 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& device, int index) {
     for (const OptionalFeature& feature : optional_features) {
         if (features.*feature.member) info.features.emplace_back(feature.name);
     }
+    if (tells_of_executables(device)) info.features.emplace_back(pipeline_executable_feature);
     return info;
 }
 
@@ -189,9 +212,18 @@ vk::raii::Device make_device(const DeviceHandles& handles) {
     vk::PhysicalDeviceFeatures2 features{.pNext = &features_13};
     for (const OptionalFeature& feature : optional_features)
         features.features.*feature.member = handles.info.has_feature(feature.name);
-    return vk::raii::Device(
-        handles.physical_device,
-        vk::DeviceCreateInfo{.pNext = &features, .queueCreateInfoCount = 1, .pQueueCreateInfos = &queue});
+    vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR executables{.pipelineExecutableInfo = true};
+    std::vector<const char*> extensions;
+    if (handles.info.has_feature(pipeline_executable_feature)) {
+        features_13.pNext = &executables;
+        extensions.push_back(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
+    }
+    return vk::raii::Device(handles.physical_device,
+                            vk::DeviceCreateInfo{.pNext = &features,
+                                                 .queueCreateInfoCount = 1,
+                                                 .pQueueCreateInfos = &queue,
+                                                 .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
+                                                 .ppEnabledExtensionNames = extensions.data()});
 }
 
 std::string lower(std::string text) {

@@ -24,6 +24,8 @@ struct DeviceInfo {
     std::string api_version;
     std::uint32_t vendor_id = 0;
     std::uint32_t device_id = 0;
+    /// "0000:65:00.0"; empty where the driver does not tell.
+    std::string pci_address;
     /// Nanoseconds per timestamp tick, and how many bits of a timestamp count.
     double timestamp_period_ns = 0;
     int timestamp_valid_bits = 0;
@@ -38,6 +40,9 @@ struct DeviceInfo {
 
     bool has_feature(const std::string& name) const;
 };
+
+/// Among a device's features: it tells registers, spills and code size of what it compiled.
+inline constexpr const char* pipeline_executable_feature = "pipelineExecutableInfo";
 
 /// In the loader's order, unusable ones too. No loader or no device is an Error that says which package brings one.
 std::vector<DeviceInfo> list_devices();

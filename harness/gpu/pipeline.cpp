@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cassert>
+#include <chrono>
 #include <string>
 
 namespace reliefbench::gpu {
@@ -229,6 +230,7 @@ vk::raii::Pipeline make_graphics(const DeviceHandles& handles, const GraphicsPip
         .depthAttachmentFormat = options.depth_format};
     return vk::raii::Pipeline(handles.device, handles.pipeline_cache,
                               vk::GraphicsPipelineCreateInfo{.pNext = &rendering,
+                                                             .flags = options.flags,
                                                              .stageCount = static_cast<std::uint32_t>(stages.size()),
                                                              .pStages = stages.data(),
                                                              .pVertexInputState = &vertex_input,
@@ -261,13 +263,17 @@ Pipeline make_graphics_pipeline(const Device& device, const GraphicsPipelineOpti
                                   .pName = "main",
                                   .pSpecializationInfo = &specialization.info});
             }
+            const auto start = std::chrono::steady_clock::now();
             made.pipeline = make_graphics(handles, options, stages, *made.layout);
+            made.made_in_ms =
+                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
             return made;
         };
         std::string key = shared_key(options.stages, options.constants, bindings);
         for (const vk::Format format : options.colour_formats)
             key += fmt::format("colour {};", vk::to_string(format));
-        key += fmt::format("depth {};patch {};", vk::to_string(options.depth_format), options.patch_vertices);
+        key += fmt::format("depth {};patch {};flags {};", vk::to_string(options.depth_format), options.patch_vertices,
+                           vk::to_string(options.flags));
         Pipeline result;
         result.shared = device.shared_pipelines().get(key, make);
         result.extent = options.extent;

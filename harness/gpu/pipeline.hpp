@@ -65,6 +65,7 @@ struct GraphicsPipelineOptions {
     vk::Extent2D extent;
     /// With tessellation stages: vertices of a patch; back faces are culled. 0: triangle strips, nothing culled.
     std::uint32_t patch_vertices = 0;
+    vk::PipelineCreateFlags flags = {};
 };
 
 /// No vertex buffers; viewport and scissor cover `extent`; depth test less-or-equal with write.

@@ -18,6 +18,8 @@ struct SharedPipeline {
     vk::raii::PipelineLayout layout{nullptr};
     vk::raii::Pipeline pipeline{nullptr};
     vk::PipelineBindPoint bind_point = vk::PipelineBindPoint::eGraphics;
+    /// Wall time of the driver's making it; graphics only.
+    double made_in_ms = 0;
     /// Kept so that the addresses of shaders, which are part of keys, are not given away again.
     std::vector<std::shared_ptr<const SpirV>> shaders;
 };

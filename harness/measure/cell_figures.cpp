@@ -1,6 +1,8 @@
 #include "measure/cell_figures.hpp"
 
 #include "core/statistics.hpp"
+#include "measure/outliers.hpp"
+#include "measure/stopping_rule.hpp"
 
 #include <algorithm>
 
@@ -66,12 +68,15 @@ PassTiming summarize_timing(const std::vector<std::vector<double>>& rounds, int 
     for (const std::vector<double>& round : rounds) {
         samples.insert(samples.end(), round.begin(), round.end());
     }
+    const std::vector<double> medians = round_medians(rounds);
     PassTiming timing;
-    timing.median_ms = median(samples);
+    timing.median_ms = median(medians);
     timing.mad_ms = median_absolute_deviation(samples);
-    timing.ci95_ms = median_interval(samples);
+    timing.ci95_ms = median_interval(medians);
     timing.n = samples.size();
     timing.repeats = repeats;
+    timing.rounds = rounds.size();
+    timing.outliers = count_outliers(samples);
     return timing;
 }
 

@@ -20,7 +20,8 @@ std::optional<CellResult::Work> summarize_work(const Probe& probe);
 CellResult::Errors to_errors(const HitErrors& errors);
 CellResult::ImageFields to_image_fields(const ImageErrors& errors);
 
-/// Statistics over all samples of all rounds. Needs at least one sample.
+/// Needs at least one round, each with a sample. Samples of one round are not independent of each other: the median and
+/// its interval are over the rounds' medians.
 PassTiming summarize_timing(const std::vector<std::vector<double>>& rounds, int repeats);
 
 /// Milliseconds of the whole preparation: the sum of its passes' medians.

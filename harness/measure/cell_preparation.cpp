@@ -47,12 +47,18 @@ PreparedCell prepare_cell(const gpu::Device& device, const Technique& technique,
 
     CellResult result = blank_result(cell);
     for (const auto& [pass, samples] : preparation.pass_ms) {
-        result.time[pass] = summarize_timing({samples}, 1);
+        // Each run is a submission of its own.
+        std::vector<std::vector<double>> runs;
+        for (const double sample : samples) {
+            runs.push_back({sample});
+        }
+        result.time[pass] = summarize_timing(runs, 1);
     }
     result.prepare_ms = preparation_ms(preparation);
     result.prepare_bytes = preparation.bytes;
     result.work = summarize_work(probe);
     result.pipeline = renderer.pipeline_statistics();
+    result.executable = renderer.executable_statistics();
     const Truth& truth = inputs.truth(cell.view);
     result.error = to_errors(compare_hits(probe.hits, truth.hits, truth.footprint, loaded.map, view.relief));
     result.image = to_image_fields(compare_images(probe.colour, probe.hits, truth.colour, truth.hits));

@@ -1,7 +1,10 @@
 #include "measure/draw_subject.hpp"
 
+#include "core/statistics.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -13,38 +16,101 @@ namespace {
 constexpr int most_repeats = 1000;
 /// The clock of an idle device rises while draws are timed, so that a first guess at the repeats may fall short.
 constexpr int most_guesses = 4;
-/// What warming up lasts at least, all its draws together: a few short draws would leave the clock where it idles.
-constexpr double least_warm_up_ms = 20;
+/// A batch of warm-up draws lasts about so long, so that a clock that rises shows between one and the next.
+constexpr double batch_ms = 10;
+constexpr double most_samples_of_batch = 1000;
+/// Warming up ends when the newest of so many batches is not faster than the oldest by more than noise. Slower ones are
+/// noise or drift, which the rounds are for.
+constexpr std::size_t batches_compared = 3;
+/// At least what counts as faster, as a fraction: batches are short.
+constexpr double least_noise = 0.05;
+/// Ends it even if timings never settle.
+constexpr double most_warm_up_ms = 1000;
+constexpr std::size_t most_batches = 100;
+
+struct Batch {
+    double median_ms = 0;
+    /// About a standard deviation.
+    double noise_ms = 0;
+};
+
+Batch summarize_batch(const std::vector<double>& draw_ms) {
+    constexpr double standard_deviations_per_mad = 1.4826;
+    return {median(draw_ms), standard_deviations_per_mad * median_absolute_deviation(draw_ms)};
+}
+
+bool is_faster(const Batch& newest, const Batch& oldest) {
+    const double noise_ms = std::max({least_noise * oldest.median_ms, oldest.noise_ms, newest.noise_ms});
+    return oldest.median_ms - newest.median_ms > noise_ms;
+}
+
+/// Timed when it is submitted.
+DrawTimer undivided(TimeDraw time_draw) {
+    const auto timed = std::make_shared<std::vector<double>>();
+    return {.submit = [time_draw = std::move(time_draw), timed](int samples,
+                                                                int repeats) { *timed = time_draw(samples, repeats); },
+            .collect = [timed] { return *timed; }};
+}
 
 }  // namespace
 
+DrawTimer timer_of(Renderer& renderer) {
+    return {.submit = [&renderer](int samples, int repeats) { renderer.submit_draw(samples, repeats); },
+            .collect = [&renderer] { return renderer.collect_draw(); }};
+}
+
+DrawSubject::DrawSubject(DrawTimer timer, const SamplingSettings& settings)
+    : timer_(std::move(timer)), settings_(settings) {}
+
 DrawSubject::DrawSubject(TimeDraw time_draw, const SamplingSettings& settings)
-    : time_draw_(std::move(time_draw)), settings_(settings) {}
+    : DrawSubject(undivided(std::move(time_draw)), settings) {}
 
 void DrawSubject::warm_up() {
-    double warm_ms = draw_unrecorded(settings_.warm_up, 1);
+    warm_up_ms_ = 0;
+    if (settings_.warm_up > 0) draw_unrecorded(settings_.warm_up, 1);
+    const double pass_ms = find_repeats();
+    if (settings_.warm_up == 0) return;
+    const double wanted = pass_ms > 0 ? std::ceil(batch_ms / pass_ms) : most_samples_of_batch;
+    const int samples = static_cast<int>(std::clamp(wanted, 1.0, most_samples_of_batch));
+    std::vector<Batch> batches;
+    while (batches.size() < most_batches && warm_up_ms_ < most_warm_up_ms) {
+        batches.push_back(summarize_batch(draw_unrecorded(samples, repeats_)));
+        if (batches.size() < batches_compared) continue;
+        if (!is_faster(batches.back(), batches[batches.size() - batches_compared])) return;
+    }
+}
+
+/// Milliseconds of one timed pass with them.
+double DrawSubject::find_repeats() {
     repeats_ = 1;
     double pass_ms = 0;
     for (int guess = 0; guess < most_guesses; ++guess) {
-        pass_ms = draw_unrecorded(1, repeats_);
-        warm_ms += pass_ms;
+        pass_ms = repeats_ * draw_unrecorded(1, repeats_).front();
         if (pass_ms >= settings_.minimum_pass_ms || repeats_ == most_repeats) break;
         const double wanted = pass_ms > 0 ? std::ceil(settings_.minimum_pass_ms / (pass_ms / repeats_)) : most_repeats;
         repeats_ = static_cast<int>(std::clamp(wanted, repeats_ + 1.0, static_cast<double>(most_repeats)));
     }
-    if (settings_.warm_up > 0 && pass_ms > 0 && warm_ms < least_warm_up_ms) {
-        draw_unrecorded(static_cast<int>(std::ceil((least_warm_up_ms - warm_ms) / pass_ms)), repeats_);
-    }
+    return pass_ms;
 }
 
-double DrawSubject::draw_unrecorded(int samples, int repeats) {
-    if (samples == 0) return 0;
-    const std::vector<double> draw_ms = time_draw_(samples, repeats);
-    return repeats * std::accumulate(draw_ms.begin(), draw_ms.end(), 0.0);
+std::vector<double> DrawSubject::draw_unrecorded(int samples, int repeats) {
+    timer_.submit(samples, repeats);
+    std::vector<double> draw_ms = timer_.collect();
+    warm_up_ms_ += repeats * std::accumulate(draw_ms.begin(), draw_ms.end(), 0.0);
+    return draw_ms;
 }
 
-std::map<std::string, std::vector<double>> DrawSubject::visit(int count) {
-    return {{draw_pass, time_draw_(count, repeats_)}};
+Subject::Samples DrawSubject::visit(int count) {
+    submit(count);
+    return collect();
+}
+
+void DrawSubject::submit(int count) {
+    timer_.submit(count, repeats_);
+}
+
+Subject::Samples DrawSubject::collect() {
+    return {{draw_pass, timer_.collect()}};
 }
 
 }  // namespace reliefbench

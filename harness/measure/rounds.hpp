@@ -15,14 +15,52 @@ struct Visit {
     int round = 0;
     /// Position within the round.
     int order = 0;
-    std::map<std::string, std::vector<double>> samples;
+    Subject::Samples samples;
+    /// The device was throttled at its end.
+    bool throttled = false;
+    /// False for a throttled visit that another one replaces.
+    bool counted = true;
+};
+
+/// A cell is visited at most so many times more than its rule asks for because the device was throttled; from then on
+/// throttled visits count.
+inline constexpr std::size_t most_throttled_repeats = 10;
+
+struct RoundSampling {
+    int samples_per_visit = 1;
+    std::uint64_t seed = 1;
+    /// Visits that the device may have at once: with two it goes on while the host reads and writes the one before.
+    /// Where the host's work would take processors away from the device, one.
+    std::size_t in_flight = 1;
+};
+
+/// What the sampler asks and tells; all but the first two may be empty.
+struct RoundCallbacks {
+    std::function<void(const Visit&)> on_visit;
+    /// The subject is visited no more.
+    std::function<void(std::size_t subject, const std::string& reason)> on_failure;
+    /// Once, when all are warm: the timing phase begins.
+    std::function<void()> on_warm;
+    /// After every round.
+    std::function<void(int round)> on_round;
+    std::function<void(std::size_t subject, StopReason reason)> on_stop;
+    /// Whether the device is throttled right now; asked at the end of every visit.
+    std::function<bool()> is_throttled;
+};
+
+struct SampledSubject {
+    /// What counts.
+    SampleRounds samples;
+    /// Empty: the subject failed.
+    std::optional<StopReason> stop;
+    /// Of the rounds that count.
+    std::size_t throttled_rounds = 0;
 };
 
 /// Warms every subject up, then visits all unsettled ones in rounds, each round in a new random order (seeded), until
-/// `rule` calls every one settled. A subject that throws Error is handed to `on_failure` and visited no more.
-std::vector<SampleRounds> sample_in_rounds(const std::vector<Subject*>& subjects, const StoppingRule& rule,
-                                           int samples_per_visit, std::uint64_t seed,
-                                           const std::function<void(const Visit&)>& on_visit,
-                                           const std::function<void(std::size_t, const std::string&)>& on_failure);
+/// `rule` stops every one. A subject that throws Error fails and is visited no more. Samples of a throttled visit are
+/// told but do not count: the subject is visited in one round more.
+std::vector<SampledSubject> sample_in_rounds(const std::vector<Subject*>& subjects, const StoppingRule& rule,
+                                             const RoundSampling& sampling, const RoundCallbacks& callbacks);
 
 }  // namespace reliefbench

@@ -2,6 +2,8 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "gpu/device.hpp"
+#include "gpu/device_state.hpp"
 #include "measure/cell_figures.hpp"
 #include "measure/cell_preparation.hpp"
 #include "measure/draw_subject.hpp"
@@ -12,6 +14,7 @@
 #include "measure/time_estimate.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -32,12 +35,18 @@ std::size_t cells_to_measure(const std::vector<Cell>& cells) {
         std::count_if(cells.begin(), cells.end(), [](const Cell& cell) { return cell.skip_reason.empty(); }));
 }
 
+/// Of what the rule asks for; time says nothing about rounds.
+int least_rounds(const SamplingSettings& sampling) {
+    return sampling.rule == SamplingSettings::Rule::time ? 1 : sampling.rounds;
+}
+
 /// One execution of run_cells.
 class Execution {
 public:
     Execution(const gpu::Device& device, const TechniqueLibrary& library, const Configuration& configuration,
               const std::vector<Cell>& cells, RunWriter& writer,
-              const std::function<void(const Progress&)>& on_progress, const Clock& clock)
+              const std::function<void(const Progress&)>& on_progress, const Clock& clock,
+              const MeasureOptions& options)
         : device_(device),
           library_(library),
           configuration_(configuration),
@@ -46,7 +55,10 @@ public:
           on_progress_(on_progress),
           clock_(clock),
           start_s_(clock.seconds()),
-          estimate_(cells_to_measure(cells), configuration.sampling.rounds),
+          in_flight_(options.in_flight.value_or(device.info().type == gpu::DeviceType::cpu ? 1 : 2)),
+          device_state_(gpu::open_device_state(device)),
+          rule_(make_stopping_rule(configuration.sampling)),
+          estimate_(cells_to_measure(cells), least_rounds(configuration.sampling)),
           inputs_(device, configuration.lighting, configuration.truth),
           results_(cells.size()) {}
 
@@ -58,7 +70,7 @@ public:
         }
         const std::vector<Block> blocks = make_blocks(cells_);
         for (std::size_t block = 0; block < blocks.size(); ++block) {
-            measure_block(blocks[block], mix_bits(configuration_.seed + block));
+            measure_block(blocks[block], block, mix_bits(configuration_.seed + block));
         }
         split_.total_s = clock_.seconds() - start_s_;
         split_.truth_s = inputs_.truth_seconds();
@@ -72,7 +84,7 @@ private:
         CellResult result;
     };
 
-    void measure_block(const Block& block, std::uint64_t seed) {
+    void measure_block(const Block& block, std::size_t number, std::uint64_t seed) {
         std::vector<ViewKey> views;
         for (std::size_t index : block.cells) {
             views.push_back(cells_[index].view);
@@ -90,7 +102,7 @@ private:
                 estimate_.drop_cell(0);
             }
         }
-        sample(ready, seed);
+        sample(ready, number, seed);
     }
 
     /// Empty when the cell was skipped or failed, which is then recorded.
@@ -132,53 +144,96 @@ private:
                           error_picture(probe.hits, truth, inputs_.map(cell.view).map, cell.view.view.relief));
     }
 
-    void sample(std::vector<ReadyCell>& ready, std::uint64_t seed) {
-        const SamplingSettings& sampling = configuration_.sampling;
-        std::vector<DrawSubject> draws;
-        draws.reserve(ready.size());
+    /// One block's rounds.
+    struct Sampling {
+        std::size_t block = 0;
+        std::vector<ReadyCell>& ready;
+        std::vector<DrawSubject> draws = {};
+        /// By subject.
+        std::vector<std::size_t> visits = {};
+        double first_visit_s = 0;
+        double last_visit_s = 0;
+        double round_start_s = 0;
+        bool round_throttled = false;
+    };
+
+    void sample(std::vector<ReadyCell>& ready, std::size_t block, std::uint64_t seed) {
+        Sampling sampling{.block = block, .ready = ready};
+        sampling.draws.reserve(ready.size());
         std::vector<Subject*> subjects;
         for (ReadyCell& cell : ready) {
-            draws.emplace_back(
-                [&renderer = cell.renderer](int samples, int repeats) { return renderer.time_draw(samples, repeats); },
-                sampling);
-            subjects.push_back(&draws.back());
+            sampling.draws.emplace_back(timer_of(cell.renderer), configuration_.sampling);
+            subjects.push_back(&sampling.draws.back());
         }
-        std::vector<std::size_t> visits(ready.size(), 0);
-        std::optional<double> last_visit_s;
-        const auto on_visit = [&](const Visit& visit) {
-            const ReadyCell& cell = ready[visit.subject];
-            const int repeats = draws[visit.subject].repeats();
-            for (const auto& [pass, samples] : visit.samples) {
-                writer_.append_samples({cell.result.cell, pass, visit.round, visit.order, repeats, samples});
-                split_.samples_s += total_ms(samples) * repeats / 1000.0;
-            }
-            ++visits[visit.subject];
-            // The first one comes after all warming up.
-            const double now_s = clock_.seconds();
-            if (last_visit_s) {
-                estimate_.add_visit(now_s - *last_visit_s);
-            } else {
-                estimate_.add_untimed_visit();
-            }
-            last_visit_s = now_s;
-            report(cell.result.cell);
-        };
-        const auto on_failure = [&](std::size_t subject, const std::string& reason) {
-            ready[subject].result.status = CellStatus::failed;
-            ready[subject].result.reason = reason;
-            estimate_.drop_cell(visits[subject]);
-        };
-        const std::vector<SampleRounds> samples = sample_in_rounds(
-            subjects, *make_fixed_rule(sampling.rounds), sampling.samples_per_visit, seed, on_visit, on_failure);
+        sampling.visits.resize(ready.size());
+        const RoundSampling rounds{
+            .samples_per_visit = configuration_.sampling.samples_per_visit, .seed = seed, .in_flight = in_flight_};
+        std::vector<SampledSubject> sampled = sample_in_rounds(subjects, *rule_, rounds, callbacks(sampling));
+        split_.timing_s += sampling.last_visit_s - sampling.first_visit_s;
         for (std::size_t subject = 0; subject < ready.size(); ++subject) {
-            finish(ready[subject], samples[subject], draws[subject].repeats());
+            finish(ready[subject], std::move(sampled[subject]), sampling.draws[subject].repeats());
         }
     }
 
-    void finish(ReadyCell& cell, const SampleRounds& samples, int repeats) {
-        for (const auto& [pass, rounds] : samples) {
+    RoundCallbacks callbacks(Sampling& sampling) {
+        RoundCallbacks callbacks;
+        callbacks.on_warm = [this, &sampling] {
+            sampling.first_visit_s = sampling.last_visit_s = sampling.round_start_s = clock_.seconds();
+        };
+        callbacks.on_visit = [this, &sampling](const Visit& visit) { keep(visit, sampling); };
+        callbacks.on_failure = [this, &sampling](std::size_t subject, const std::string& reason) {
+            sampling.ready[subject].result.status = CellStatus::failed;
+            sampling.ready[subject].result.reason = reason;
+            estimate_.drop_cell(sampling.visits[subject]);
+        };
+        callbacks.on_stop = [this, &sampling](std::size_t subject, StopReason) {
+            estimate_.finish_cell(sampling.visits[subject]);
+        };
+        callbacks.is_throttled = [this] { return device_state_->is_throttled().value_or(false); };
+        callbacks.on_round = [this, &sampling](int round) { keep_round(round, sampling); };
+        return callbacks;
+    }
+
+    void keep(const Visit& visit, Sampling& sampling) {
+        const ReadyCell& cell = sampling.ready[visit.subject];
+        const int repeats = sampling.draws[visit.subject].repeats();
+        for (const auto& [pass, samples] : visit.samples) {
+            writer_.append_samples(
+                {cell.result.cell, pass, visit.round, visit.order, repeats, samples, !visit.counted});
+            if (visit.counted) {
+                const double inside_s = total_ms(samples) * repeats / 1000.0;
+                split_.samples_s += inside_s;
+                split_.timing_samples_s += inside_s;
+            }
+        }
+        ++sampling.visits[visit.subject];
+        sampling.round_throttled = sampling.round_throttled || visit.throttled;
+        const double now_s = clock_.seconds();
+        estimate_.add_visit(now_s - sampling.last_visit_s);
+        sampling.last_visit_s = now_s;
+        report(cell.result.cell);
+    }
+
+    void keep_round(int round, Sampling& sampling) {
+        const gpu::DeviceState state = device_state_->read();
+        RoundRecord record{.block = sampling.block, .round = round};
+        const double now_s = clock_.seconds();
+        record.seconds = now_s - sampling.round_start_s;
+        record.clock_mhz = state.clock_mhz;
+        record.memory_clock_mhz = state.memory_clock_mhz;
+        record.temperature_c = state.temperature_c;
+        if (state.throttled) record.throttled = sampling.round_throttled;
+        writer_.append_round(record);
+        sampling.round_start_s = now_s;
+        sampling.round_throttled = false;
+    }
+
+    void finish(ReadyCell& cell, SampledSubject sampled, int repeats) {
+        for (const auto& [pass, rounds] : sampled.samples) {
             cell.result.time[pass] = summarize_timing(rounds, repeats);
         }
+        cell.result.stop = sampled.stop;
+        cell.result.throttled_rounds = sampled.throttled_rounds;
         const auto draw = cell.result.time.find(draw_pass);
         if (draw != cell.result.time.end() && cell.result.work) {
             cell.result.ns_per_pixel =
@@ -222,6 +277,9 @@ private:
     const std::function<void(const Progress&)>& on_progress_;
     const Clock& clock_;
     double start_s_;
+    std::size_t in_flight_;
+    std::unique_ptr<gpu::DeviceStateSource> device_state_;
+    std::unique_ptr<StoppingRule> rule_;
     TimeEstimate estimate_;
     SharedInputs inputs_;
     std::vector<CellResult> results_;
@@ -233,8 +291,9 @@ private:
 
 RunOutcome run_cells(const gpu::Device& device, const TechniqueLibrary& library, const Configuration& configuration,
                      const std::vector<Cell>& cells, RunWriter& writer,
-                     const std::function<void(const Progress&)>& on_progress, const Clock& clock) {
-    return Execution(device, library, configuration, cells, writer, on_progress, clock).run();
+                     const std::function<void(const Progress&)>& on_progress, const Clock& clock,
+                     const MeasureOptions& options) {
+    return Execution(device, library, configuration, cells, writer, on_progress, clock, options).run();
 }
 
 }  // namespace reliefbench

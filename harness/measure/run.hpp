@@ -6,7 +6,9 @@
 #include "sweep/configuration.hpp"
 #include "technique/technique.hpp"
 
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace reliefbench {
@@ -32,6 +34,16 @@ struct TimeSplit {
     /// Inside GPU timestamps of counted samples.
     double samples_s = 0;
     double truth_s = 0;
+    /// From the first visit of a block to its last, of all blocks, and what of it lay inside GPU timestamps of counted
+    /// samples.
+    double timing_s = 0;
+    double timing_samples_s = 0;
+};
+
+struct MeasureOptions {
+    /// Visits that the device may have at once; empty: one on a CPU device, where the host's work would take processors
+    /// away from the samples, else two.
+    std::optional<std::size_t> in_flight;
 };
 
 struct RunOutcome {
@@ -44,6 +56,7 @@ struct RunOutcome {
 /// is a cell's failure; an Error of the store (a full disk) ends the run.
 RunOutcome run_cells(const gpu::Device& device, const TechniqueLibrary& library, const Configuration& configuration,
                      const std::vector<Cell>& cells, RunWriter& writer,
-                     const std::function<void(const Progress&)>& on_progress, const Clock& clock = steady_clock());
+                     const std::function<void(const Progress&)>& on_progress, const Clock& clock = steady_clock(),
+                     const MeasureOptions& options = {});
 
 }  // namespace reliefbench

@@ -4,32 +4,37 @@
 
 namespace reliefbench {
 
-TimeEstimate::TimeEstimate(std::size_t cells, int rounds) : cells_(static_cast<double>(cells)), rounds_(rounds) {}
+TimeEstimate::TimeEstimate(std::size_t cells, int least_rounds)
+    : to_prepare_(static_cast<double>(cells)), least_rounds_(least_rounds), unfinished_(static_cast<double>(cells)) {}
 
 void TimeEstimate::add_preparation(double seconds) {
+    --to_prepare_;
     ++prepared_;
     preparation_seconds_ += seconds;
 }
 
 void TimeEstimate::add_visit(double seconds) {
-    ++visits_;
+    ++unfinished_visits_;
     ++timed_visits_;
     visit_seconds_ += seconds;
 }
 
-void TimeEstimate::add_untimed_visit() {
-    ++visits_;
+void TimeEstimate::finish_cell(std::size_t visits) {
+    drop_cell(visits);
+    ++finished_;
+    finished_visits_ += static_cast<double>(visits);
 }
 
-void TimeEstimate::drop_cell(std::size_t visits_done) {
-    visits_ += rounds_ - static_cast<double>(visits_done);
+void TimeEstimate::drop_cell(std::size_t visits) {
+    --unfinished_;
+    unfinished_visits_ -= static_cast<double>(visits);
 }
 
 double TimeEstimate::remaining_seconds() const {
-    const double cells_left = std::max(0.0, cells_ - prepared_);
-    const double visits_left = std::max(0.0, cells_ * rounds_ - visits_);
-    if ((cells_left > 0 && prepared_ == 0) || (visits_left > 0 && timed_visits_ == 0)) return -1;
-    const double preparation = cells_left > 0 ? cells_left * preparation_seconds_ / prepared_ : 0;
+    const double visits_each = std::max(least_rounds_, finished_ > 0 ? finished_visits_ / finished_ : 0);
+    const double visits_left = std::max(0.0, unfinished_ * visits_each - unfinished_visits_);
+    if ((to_prepare_ > 0 && prepared_ == 0) || (visits_left > 0 && timed_visits_ == 0)) return -1;
+    const double preparation = to_prepare_ > 0 ? to_prepare_ * preparation_seconds_ / prepared_ : 0;
     const double sampling = visits_left > 0 ? visits_left * visit_seconds_ / timed_visits_ : 0;
     return preparation + sampling;
 }

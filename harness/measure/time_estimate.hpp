@@ -4,27 +4,33 @@
 
 namespace reliefbench {
 
-/// How long a run will go on, from what its cells have taken so far: each is prepared once and visited in every round.
+/// How long a run will go on, from what its cells have taken so far: each is prepared once, then visited until it is
+/// finished. How many visits that takes is known beforehand (`least_rounds`) only where the stopping rule fixes it;
+/// else those that are finished tell.
 class TimeEstimate {
 public:
-    TimeEstimate(std::size_t cells, int rounds);
+    TimeEstimate(std::size_t cells, int least_rounds);
 
     void add_preparation(double seconds);
     void add_visit(double seconds);
-    /// A visit whose time says nothing of the others'.
-    void add_untimed_visit();
-    /// A cell that ends before its visits are over, `visits` of them done.
-    void drop_cell(std::size_t visits_done);
+    /// A cell that wants no more visits after so many.
+    void finish_cell(std::size_t visits);
+    /// The same for one whose number of visits says nothing of the others', because it failed.
+    void drop_cell(std::size_t visits);
 
     /// Negative while unknown: until a cell has been prepared and one visited.
     double remaining_seconds() const;
 
 private:
-    double cells_;
-    double rounds_;
+    double to_prepare_;
+    double least_rounds_;
     double prepared_ = 0;
     double preparation_seconds_ = 0;
-    double visits_ = 0;
+    /// Cells that want visits, and the visits that they have had.
+    double unfinished_;
+    double unfinished_visits_ = 0;
+    double finished_ = 0;
+    double finished_visits_ = 0;
     double timed_visits_ = 0;
     double visit_seconds_ = 0;
 };

@@ -9,8 +9,17 @@ namespace {
 
 const std::vector<std::string> status_names = {"ok", "skipped", "failed"};
 
-/// Beside the passes, a member of "time".
-constexpr const char* ns_per_pixel_key = "ns_per_pixel";
+/// In the order of StopReason.
+const std::vector<std::string> stop_reason_names = {"precise", "stalled", "budget", "rounds", "time"};
+
+// Beside the passes, members of "time".
+constexpr std::string_view ns_per_pixel_key = "ns_per_pixel";
+constexpr std::string_view stop_key = "stop";
+constexpr std::string_view throttled_rounds_key = "throttled_rounds";
+
+bool is_pass(std::string_view key) {
+    return key != ns_per_pixel_key && key != stop_key && key != throttled_rounds_key;
+}
 
 Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
@@ -26,6 +35,8 @@ Json to_json(const PassTiming& timing) {
     json["ci95_ms"] = {number(timing.ci95_ms.low), number(timing.ci95_ms.high)};
     json["n"] = timing.n;
     json["repeats"] = timing.repeats;
+    json["rounds"] = timing.rounds;
+    json["outliers"] = timing.outliers;
     return json;
 }
 
@@ -97,7 +108,7 @@ std::optional<double> optional_number(const JsonView& view) {
 }
 
 PassTiming read_timing(const JsonView& view) {
-    view.require_only({"median_ms", "mad_ms", "ci95_ms", "n", "repeats"});
+    view.require_only({"median_ms", "mad_ms", "ci95_ms", "n", "repeats", "rounds", "outliers"});
     const std::vector<JsonView> interval = view.at("ci95_ms").items();
     if (interval.size() != 2) view.at("ci95_ms").fail_expected("[low, high]");
     PassTiming timing;
@@ -106,6 +117,9 @@ PassTiming read_timing(const JsonView& view) {
     timing.ci95_ms = {interval[0].number(), interval[1].number()};
     timing.n = count(view.at("n"));
     timing.repeats = static_cast<int>(view.at("repeats").integer(1, std::numeric_limits<int>::max()));
+    // Runs before these were recorded have neither.
+    if (view.has("rounds")) timing.rounds = count(view.at("rounds"));
+    if (view.has("outliers")) timing.outliers = count(view.at("outliers"));
     return timing;
 }
 
@@ -163,12 +177,38 @@ CellResult::ImageFields read_image(const JsonView& view) {
     return image;
 }
 
+void read_beside_passes(const JsonView& time, CellResult& result) {
+    result.ns_per_pixel = optional_number(time.at(std::string(ns_per_pixel_key)));
+    const std::string stop(stop_key);
+    const std::string throttled_rounds(throttled_rounds_key);
+    if (time.has(stop)) {
+        result.stop = optional(time.at(stop), [](const JsonView& reason) {
+            return static_cast<StopReason>(reason.choice(stop_reason_names));
+        });
+    }
+    if (time.has(throttled_rounds)) result.throttled_rounds = count(time.at(throttled_rounds));
+}
+
+std::map<std::string, std::map<std::string, double>> read_executable(const JsonView& view) {
+    std::map<std::string, std::map<std::string, double>> executable;
+    for (const auto& [stage, statistics] : view.members()) {
+        for (const auto& [statistic, value] : statistics.members()) {
+            executable[stage][statistic] = value.number();
+        }
+    }
+    return executable;
+}
+
 Json read_object(const JsonView& view) {
     if (!view.json().is_object()) view.fail_expected("an object");
     return view.json();
 }
 
 }  // namespace
+
+std::string_view to_string(StopReason reason) {
+    return stop_reason_names[static_cast<std::size_t>(reason)];
+}
 
 Json to_json(const CellResult& result) {
     Json json;
@@ -180,16 +220,24 @@ Json to_json(const CellResult& result) {
     json["reason"] = result.reason.empty() ? Json(nullptr) : Json(result.reason);
     json["time"] = Json::object();
     for (const auto& [pass, timing] : result.time) {
-        assert(pass != ns_per_pixel_key);
+        assert(is_pass(pass));
         json["time"][pass] = to_json(timing);
     }
     json["time"][ns_per_pixel_key] = number(result.ns_per_pixel);
+    json["time"][stop_key] = result.stop ? Json(to_string(*result.stop)) : Json(nullptr);
+    json["time"][throttled_rounds_key] = result.throttled_rounds;
     json["prepare"]["ms"] = number(result.prepare_ms);
     json["prepare"]["bytes"] = result.prepare_bytes ? Json(*result.prepare_bytes) : Json(nullptr);
     json["work"] = fields_or_null(result.work);
     json["pipeline"] = Json::object();
     for (const auto& [statistic, value] : result.pipeline) {
         json["pipeline"][statistic] = value;
+    }
+    json["executable"] = Json::object();
+    for (const auto& [stage, statistics] : result.executable) {
+        for (const auto& [statistic, value] : statistics) {
+            json["executable"][stage][statistic] = number(value);
+        }
     }
     json["error"] = fields_or_null(result.error);
     json["image"] = fields_or_null(result.image);
@@ -199,7 +247,7 @@ Json to_json(const CellResult& result) {
 CellResult parse_cell_result(const Json& json, const std::string& file) {
     const JsonView view(json, file);
     view.require_only({"cell", "technique", "axes", "params", "status", "reason", "time", "prepare", "work", "pipeline",
-                       "error", "image"});
+                       "executable", "error", "image"});
     const JsonView prepare = view.at("prepare");
     prepare.require_only({"ms", "bytes"});
     CellResult result;
@@ -210,15 +258,16 @@ CellResult parse_cell_result(const Json& json, const std::string& file) {
     result.status = static_cast<CellStatus>(view.at("status").choice(status_names));
     result.reason = optional(view.at("reason"), [](const JsonView& reason) { return reason.string(); }).value_or("");
     for (const auto& [pass, timing] : view.at("time").members()) {
-        if (pass != ns_per_pixel_key) result.time[pass] = read_timing(timing);
+        if (is_pass(pass)) result.time[pass] = read_timing(timing);
     }
-    result.ns_per_pixel = optional_number(view.at("time").at(ns_per_pixel_key));
+    read_beside_passes(view.at("time"), result);
     result.prepare_ms = optional_number(prepare.at("ms"));
     result.prepare_bytes = optional(prepare.at("bytes"), count);
     result.work = optional(view.at("work"), read_work);
     for (const auto& [statistic, value] : view.at("pipeline").members()) {
         result.pipeline[statistic] = count(value);
     }
+    if (view.has("executable")) result.executable = read_executable(view.at("executable"));
     result.error = optional(view.at("error"), read_errors);
     result.image = optional(view.at("image"), read_image);
     return result;

@@ -8,19 +8,42 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace reliefbench {
 
 enum class CellStatus { ok, skipped, failed };
 
+/// Why a cell got no more rounds.
+enum class StopReason {
+    /// The interval of the median is as narrow as asked for.
+    precise,
+    /// More rounds do not narrow it.
+    stalled,
+    /// It is not as narrow as asked for, but the cell's time is spent.
+    budget,
+    /// The rounds asked for are done.
+    rounds,
+    /// The time asked for is spent.
+    time,
+};
+
+std::string_view to_string(StopReason reason);
+
 struct PassTiming {
+    /// Of the rounds' medians.
     double median_ms = 0;
+    /// Of all samples.
     double mad_ms = 0;
+    /// Of the median, over the rounds' medians.
     Interval ci95_ms;
     std::size_t n = 0;
     /// Draws inside one timestamp pair.
     int repeats = 1;
+    std::size_t rounds = 0;
+    /// Samples far from the median: counted here, dropped nowhere.
+    std::size_t outliers = 0;
 };
 
 /// One line of cells.jsonl as plain data; docs/architecture.md lists the fields. What is undefined is empty here and
@@ -35,6 +58,9 @@ struct CellResult {
 
     std::map<std::string, PassTiming> time;
     std::optional<double> ns_per_pixel;
+    std::optional<StopReason> stop;
+    /// Rounds in which the device was throttled and that count all the same, because repeating them did not help.
+    std::size_t throttled_rounds = 0;
     std::optional<double> prepare_ms;
     std::optional<std::uint64_t> prepare_bytes;
 
@@ -46,6 +72,9 @@ struct CellResult {
     };
     std::optional<Work> work;
     std::map<std::string, std::uint64_t> pipeline;
+    /// What the driver says of the compiled stages, by stage and statistic: registers, spills, bytes of code. Empty
+    /// where it says nothing.
+    std::map<std::string, std::map<std::string, double>> executable;
 
     struct Errors {
         std::optional<Summary> uv_texels, depth, normal_deg;

@@ -15,6 +15,8 @@ namespace {
 constexpr const char* run_file = "run.json";
 constexpr const char* cells_file = "cells.jsonl";
 constexpr const char* samples_file = "samples.jsonl";
+constexpr const char* rounds_file = "rounds.jsonl";
+constexpr const char* summary_file = "summary.json";
 
 /// File systems take names of 255 bytes: the rest is for the suffix.
 constexpr std::size_t longest_image_name = 180;
@@ -71,7 +73,7 @@ std::string image_name(const std::string& cell) {
 }  // namespace
 
 RunWriter::RunWriter(const std::filesystem::path& folder, const Json& run) : folder_(folder) {
-    for (const char* file : {run_file, cells_file, samples_file}) {
+    for (const char* file : {run_file, cells_file, samples_file, rounds_file, summary_file}) {
         if (is_there(folder / file)) {
             fail("{} already holds a run ({}): choose another folder, or remove it first", folder.string(), file);
         }
@@ -81,11 +83,13 @@ RunWriter::RunWriter(const std::filesystem::path& folder, const Json& run) : fol
     try {
         cells_.emplace(folder / cells_file);
         samples_.emplace(folder / samples_file);
+        rounds_.emplace(folder / rounds_file);
         write_text_file(folder / run_file, dump_document(run));
     } catch (const Error&) {
         std::error_code ignored;
         if (cells_) std::filesystem::remove(folder / cells_file, ignored);
         if (samples_) std::filesystem::remove(folder / samples_file, ignored);
+        if (rounds_) std::filesystem::remove(folder / rounds_file, ignored);
         if (made_folder) std::filesystem::remove(folder, ignored);
         throw;
     }
@@ -103,7 +107,25 @@ void RunWriter::append_samples(const RawSamples& samples) {
     json["order"] = samples.order;
     json["repeats"] = samples.repeats;
     json["ms"] = samples.ms;  // the library writes numbers that are not finite as null
+    if (samples.throttled) json["throttled"] = true;
     samples_->append(dump_line(json));
+}
+
+void RunWriter::append_round(const RoundRecord& round) {
+    const auto or_null = [](const auto& value) { return value ? Json(*value) : Json(nullptr); };
+    Json json;
+    json["block"] = round.block;
+    json["round"] = round.round;
+    json["seconds"] = round.seconds;
+    json["clock_mhz"] = or_null(round.clock_mhz);
+    json["memory_clock_mhz"] = or_null(round.memory_clock_mhz);
+    json["temperature_c"] = or_null(round.temperature_c);
+    json["throttled"] = or_null(round.throttled);
+    rounds_->append(dump_line(json));
+}
+
+void RunWriter::write_summary(const Json& summary) {
+    write_text_file(folder_ / summary_file, dump_document(summary));
 }
 
 std::filesystem::path RunWriter::image_path(const std::string& cell, const std::string& suffix) {

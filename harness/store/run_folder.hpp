@@ -19,6 +19,22 @@ struct RawSamples {
     int order = 0;
     int repeats = 1;
     std::vector<double> ms;
+    /// The device was throttled: these do not count, another visit took their place.
+    bool throttled = false;
+};
+
+/// One round of a block, for rounds.jsonl. Empty: the driver does not tell.
+struct RoundRecord {
+    std::size_t block = 0;
+    int round = 0;
+    /// Wall time.
+    double seconds = 0;
+    /// At the round's end.
+    std::optional<double> clock_mhz = {};
+    std::optional<double> memory_clock_mhz = {};
+    std::optional<double> temperature_c = {};
+    /// At the end of any visit.
+    std::optional<bool> throttled = {};
 };
 
 /// Writes a run's folder. Creating it is an Error when the folder cannot be written or already holds a run (run.json).
@@ -30,6 +46,9 @@ public:
 
     void append_cell(const CellResult& result);
     void append_samples(const RawSamples& samples);
+    void append_round(const RoundRecord& round);
+    /// At the run's end: summary.json.
+    void write_summary(const Json& summary);
     /// images/<cell made fit for a file name><suffix>; makes the folder on first use.
     std::filesystem::path image_path(const std::string& cell, const std::string& suffix);
 
@@ -39,6 +58,7 @@ private:
     std::filesystem::path folder_;
     std::optional<LineFile> cells_;
     std::optional<LineFile> samples_;
+    std::optional<LineFile> rounds_;
 };
 
 /// A run as read back.

@@ -24,8 +24,25 @@ struct TruthSettings {
 
 /// When a cell has been sampled enough. A rule is an object of its own (harness/measure/stopping_rule.hpp).
 struct SamplingSettings {
-    /// Rounds over the cells of a block.
-    int rounds = 5;
+    enum class Rule {
+        /// Until the 95 % interval of the median is narrow enough, or more rounds do not narrow it, or the budget is
+        /// spent.
+        precision,
+        /// So many rounds.
+        fixed,
+        /// Until the budget is spent.
+        time,
+    };
+    /// With fewer rounds there is no 95 % order-statistic interval of a median.
+    static constexpr int rounds_for_interval = 6;
+
+    Rule rule = Rule::precision;
+    /// Rounds over the cells of a block: the least of precision, the number of fixed.
+    int rounds = 10;
+    /// precision: half the interval's width, as a fraction of the median.
+    double precision = 0.01;
+    /// precision and time: the device's time in a cell's samples.
+    double budget_s = 5;
     /// Samples of each pass per visit.
     int samples_per_visit = 3;
     /// Unrecorded draws before the first round.

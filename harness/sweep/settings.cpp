@@ -11,12 +11,16 @@ namespace reliefbench {
 namespace {
 
 const std::vector<std::string> truth_kinds{"exact", "mesh"};
-const std::vector<std::string> sampling_rules{"fixed"};
+/// In the order of SamplingSettings::Rule.
+const std::vector<std::string> sampling_rules{"precision", "fixed", "time"};
 
 constexpr int largest_subdivision = 64;
 constexpr int most_rounds = 100000;
 constexpr int most_draws = 10000;
 constexpr double longest_pass_ms = 10000;
+constexpr double finest_precision = 1e-6;
+constexpr double coarsest_precision = 1;
+constexpr double longest_budget_s = 86400;
 constexpr std::size_t most_lights = 3;
 constexpr double largest_radiance = 1e6;
 constexpr double largest_shininess = 1e5;
@@ -69,7 +73,8 @@ const std::vector<std::string>& truth() {
 }
 
 const std::vector<std::string>& sampling() {
-    static const std::vector<std::string> keys{"rule", "rounds", "samples_per_visit", "warm_up", "minimum_pass_ms"};
+    static const std::vector<std::string> keys{
+        "rule", "rounds", "precision", "budget_s", "samples_per_visit", "warm_up", "minimum_pass_ms"};
     return keys;
 }
 
@@ -104,8 +109,23 @@ TruthSettings read_truth(const JsonView& view) {
 SamplingSettings read_sampling(const JsonView& view) {
     view.require_only(configuration_keys::sampling());
     SamplingSettings sampling;
-    if (view.has("rule")) view.at("rule").choice(sampling_rules);
-    if (view.has("rounds")) sampling.rounds = static_cast<int>(view.at("rounds").integer(1, most_rounds));
+    if (view.has("rule")) sampling.rule = static_cast<SamplingSettings::Rule>(view.at("rule").choice(sampling_rules));
+    if (view.has("rounds")) {
+        const JsonView rounds = view.at("rounds");
+        sampling.rounds = static_cast<int>(rounds.integer(1, most_rounds));
+        if (sampling.rule == SamplingSettings::Rule::precision &&
+            sampling.rounds < SamplingSettings::rounds_for_interval) {
+            rounds.fail_expected(
+                fmt::format("at least {} rounds for the rule \"precision\" (fewer have no 95 % interval of the median; "
+                            "\"rule\": \"fixed\" takes any number)",
+                            SamplingSettings::rounds_for_interval));
+        }
+    }
+    if (view.has("precision")) sampling.precision = view.at("precision").number(finest_precision, coarsest_precision);
+    if (view.has("budget_s")) {
+        sampling.budget_s = view.at("budget_s").number(0, longest_budget_s);
+        if (sampling.budget_s == 0) view.at("budget_s").fail_expected("seconds above 0");
+    }
     if (view.has("samples_per_visit")) {
         sampling.samples_per_visit = static_cast<int>(view.at("samples_per_visit").integer(1, most_draws));
     }
@@ -139,8 +159,10 @@ Json to_json(const TruthSettings& truth) {
 }
 
 Json to_json(const SamplingSettings& sampling) {
-    return {{"rule", sampling_rules.front()},
+    return {{"rule", sampling_rules[static_cast<std::size_t>(sampling.rule)]},
             {"rounds", sampling.rounds},
+            {"precision", sampling.precision},
+            {"budget_s", sampling.budget_s},
             {"samples_per_visit", sampling.samples_per_visit},
             {"warm_up", sampling.warm_up},
             {"minimum_pass_ms", sampling.minimum_pass_ms}};

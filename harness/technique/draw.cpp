@@ -45,6 +45,19 @@ vk::ClearColorValue background_of(Draw::Kind kind, const std::array<float, 3>& l
     return {.float32 = colour};
 }
 
+gpu::GraphicsPipelineOptions pipeline_options(const gpu::Device& device, const Technique& technique, Draw::Kind kind,
+                                              const DrawSetup& setup) {
+    gpu::GraphicsPipelineOptions options{
+        .stages = compile_draw(device, technique, kind == Draw::Kind::probed ? Variant::probed : Variant::timed),
+        .constants = setup.constants,
+        .colour_formats = target_formats(kind),
+        .depth_format = depth_format,
+        .extent = setup.extent,
+        .patch_vertices = setup.patches ? patch_corners : 0};
+    options.constants[constant::srgb_target] = kind == Draw::Kind::timed_display ? 1 : 0;
+    return options;
+}
+
 }  // namespace
 
 Draw::Draw(const gpu::Device& device, const Technique& technique, Kind kind, const DrawSetup& setup)
@@ -54,21 +67,13 @@ Draw::Draw(const gpu::Device& device, const Technique& technique, Kind kind, con
       vertices_per_draw_(vertices_per_draw(device, setup)),
       depth_(device, setup.extent, depth_format, 1,
              vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eTransferSrc) {
-    const std::vector<vk::Format> formats = target_formats(kind);
-    for (const vk::Format format : formats)
+    for (const vk::Format format : target_formats(kind))
         colours_.emplace_back(device, extent_, format, 1,
                               vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc);
     clears_.push_back(background_of(kind, setup.background));
 
     std::vector<gpu::Binding> bindings = setup.bindings;
-    gpu::GraphicsPipelineOptions options{
-        .stages = compile_draw(device, technique, kind == Kind::probed ? Variant::probed : Variant::timed),
-        .constants = setup.constants,
-        .colour_formats = formats,
-        .depth_format = depth_format,
-        .extent = extent_,
-        .patch_vertices = setup.patches ? patch_corners : 0};
-    options.constants[constant::srgb_target] = kind == Kind::timed_display ? 1 : 0;
+    const gpu::GraphicsPipelineOptions options = pipeline_options(device, technique, kind, setup);
     if (kind == Kind::probed) {
         clears_.push_back({.float32 = std::array<float, 4>{0, 0, 0, -1}});
         const std::size_t pixels = std::size_t{extent_.width} * extent_.height;
@@ -127,6 +132,12 @@ std::vector<std::uint32_t> Draw::read_work() const {
     std::vector<std::uint32_t> values(work_->size / sizeof(std::uint32_t));
     std::memcpy(values.data(), work_->mapped, work_->size);
     return values;
+}
+
+gpu::ExecutableStatistics read_executable_statistics(const gpu::Device& device, const Technique& technique,
+                                                     const DrawSetup& setup) {
+    return gpu::read_executable_statistics(
+        device, pipeline_options(device, technique, Draw::Kind::timed_display, setup), setup.bindings);
 }
 
 }  // namespace reliefbench

@@ -2,6 +2,7 @@
 
 // Internal to this layer: includes Vulkan.
 
+#include "gpu/executable_statistics.hpp"
 #include "gpu/memory.hpp"
 #include "gpu/pipeline.hpp"
 #include "technique/program.hpp"
@@ -53,5 +54,9 @@ private:
     std::optional<gpu::Buffer> work_;
     gpu::Pipeline pipeline_;
 };
+
+/// Of what is timed.
+gpu::ExecutableStatistics read_executable_statistics(const gpu::Device& device, const Technique& technique,
+                                                     const DrawSetup& setup);
 
 }  // namespace reliefbench

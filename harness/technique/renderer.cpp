@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "gpu/commands.hpp"
+#include "gpu/recording.hpp"
 #include "gpu/timers.hpp"
 #include "technique/derived_maps.hpp"
 #include "technique/draw.hpp"
@@ -45,6 +46,35 @@ gpu::Buffer upload_uniforms(const gpu::Device& device, const SceneUniforms& unif
                                    std::as_bytes(std::span(&uniforms, 1)));
 }
 
+/// The commands that time a draw.
+struct TimedRecording {
+    TimedRecording(const gpu::Device& device, const Draw& draw, const std::string& what, int samples_in_all,
+                   int repeats_each)
+        : samples(samples_in_all),
+          repeats(repeats_each),
+          timestamps(device, static_cast<std::uint32_t>(samples)),
+          recording(device, what, [&](const vk::raii::CommandBuffer& commands) { record(commands, draw); }) {}
+
+    void record(const vk::raii::CommandBuffer& commands, const Draw& draw) const {
+        assert(samples > 0 && repeats > 0);
+        timestamps.reset(commands);
+        draw.begin(commands);
+        for (int sample = 0; sample < samples; ++sample) {
+            timestamps.start(commands, static_cast<std::uint32_t>(sample));
+            for (int repeat = 0; repeat < repeats; ++repeat) {
+                if (repeat > 0) gpu::full_barrier(commands);
+                draw.record(commands);
+            }
+            timestamps.end(commands, static_cast<std::uint32_t>(sample));
+        }
+    }
+
+    int samples;
+    int repeats;
+    gpu::Timestamps timestamps;
+    gpu::Recording recording;
+};
+
 }  // namespace
 
 struct Renderer::State {
@@ -71,8 +101,8 @@ struct Renderer::State {
 
     /// What is timed; made when first asked for, and kept.
     const Draw& display() {
-        if (!display_) display_.emplace(device, technique, Draw::Kind::timed_display, setup);
-        return *display_;
+        if (!display_draw) display_draw.emplace(device, technique, Draw::Kind::timed_display, setup);
+        return *display_draw;
     }
 
     DrawSetup make_setup(const ParameterValues& parameters, const SceneOnDevice& scene, const View& view,
@@ -80,8 +110,9 @@ struct Renderer::State {
     /// One draw, submitted and finished.
     void draw_once(const Draw& draw) const;
 
-private:
-    std::optional<Draw> display_;
+    std::optional<Draw> display_draw;
+    /// The one asked for last. Below the draw that it records, so that it is destroyed first.
+    std::unique_ptr<TimedRecording> timing;
 };
 
 DrawSetup Renderer::State::make_setup(const ParameterValues& parameters, const SceneOnDevice& scene, const View& view,
@@ -184,26 +215,34 @@ PipelineStatistics Renderer::pipeline_statistics() {
     return query.read();
 }
 
+ExecutableStatistics Renderer::executable_statistics() {
+    return read_executable_statistics(state_->device, state_->technique, state_->setup);
+}
+
 std::vector<double> Renderer::time_draw(int samples, int repeats) {
-    assert(state_->prepared && samples > 0 && repeats > 0);
+    submit_draw(samples, repeats);
+    return collect_draw();
+}
+
+void Renderer::submit_draw(int samples, int repeats) {
+    assert(state_->prepared);
     const Draw& display = state_->display();
-    const gpu::Timestamps timestamps(state_->device, static_cast<std::uint32_t>(samples));
-    const std::string what = fmt::format("time technique '{}'", state_->technique.manifest.id);
-    gpu::submit_and_wait(state_->device, what, [&](const vk::raii::CommandBuffer& commands) {
-        timestamps.reset(commands);
-        display.begin(commands);
-        for (int sample = 0; sample < samples; ++sample) {
-            timestamps.start(commands, static_cast<std::uint32_t>(sample));
-            for (int repeat = 0; repeat < repeats; ++repeat) {
-                if (repeat > 0) gpu::full_barrier(commands);
-                display.record(commands);
-            }
-            timestamps.end(commands, static_cast<std::uint32_t>(sample));
-        }
-    });
-    std::vector<double> milliseconds = timestamps.milliseconds();
+    std::unique_ptr<TimedRecording>& timing = state_->timing;
+    if (!timing || timing->samples != samples || timing->repeats != repeats) {
+        timing.reset();
+        timing = std::make_unique<TimedRecording>(state_->device, display,
+                                                  fmt::format("time technique '{}'", state_->technique.manifest.id),
+                                                  samples, repeats);
+    }
+    timing->recording.submit();
+}
+
+std::vector<double> Renderer::collect_draw() {
+    TimedRecording& timing = *state_->timing;
+    timing.recording.wait();
+    std::vector<double> milliseconds = timing.timestamps.milliseconds();
     for (double& value : milliseconds)
-        value /= repeats;
+        value /= timing.repeats;
     return milliseconds;
 }
 

@@ -81,6 +81,10 @@ struct Preparation {
 /// Empty where the device has none.
 using PipelineStatistics = std::map<std::string, std::uint64_t>;
 
+/// What the driver tells of the timed pipeline's stages, by stage and statistic (gpu/executable_statistics.hpp). Empty
+/// where it tells nothing.
+using ExecutableStatistics = std::map<std::string, std::map<std::string, double>>;
+
 /// One technique with one set of parameters before one view. Construction compiles the shaders (an Error names file,
 /// line and technique) and allocates; `prepare` must come before everything else. Device and scene must outlive it.
 class Renderer {
@@ -94,10 +98,14 @@ public:
     Probe probe();
     TimedPicture draw_timed(ColourTarget target);
     PipelineStatistics pipeline_statistics();
+    ExecutableStatistics executable_statistics();
 
     /// `samples` isolated timings of the draw, each of `repeats` draws inside one timestamp pair, in milliseconds per
-    /// draw. All in one submission.
+    /// draw. All in one submission, which is recorded anew only where the numbers change.
     std::vector<double> time_draw(int samples, int repeats = 1);
+    /// The same in two halves, with the device at work between them. One at a time.
+    void submit_draw(int samples, int repeats = 1);
+    std::vector<double> collect_draw();
 
 private:
     struct State;

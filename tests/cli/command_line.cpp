@@ -67,7 +67,7 @@ Json tiny_configuration() {
         "name": "tiny",
         "techniques": ["steep"],
         "axes": { "heightmap": "bricks", "heightmap_size": 32, "view_angle": 45, "resolution": 32 },
-        "sampling": { "rounds": 1, "samples_per_visit": 1, "warm_up": 0, "minimum_pass_ms": 0 }
+        "sampling": { "rule": "fixed", "rounds": 1, "samples_per_visit": 1, "warm_up": 0, "minimum_pass_ms": 0 }
     })");
 }
 

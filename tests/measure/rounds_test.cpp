@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -63,14 +64,15 @@ private:
     int visits_ = 0;
 };
 
-/// Settles the subject whose samples are `fast_ms` after one round, others after three.
+/// Stops the subject whose samples are `fast_ms` after one round, others after three.
 class UnevenRule : public StoppingRule {
 public:
     explicit UnevenRule(double fast_ms) : fast_ms_(fast_ms) {}
-    bool is_settled(const SampleRounds& samples) const override {
-        if (samples.empty()) return false;
+    std::optional<StopReason> stop(const SampleRounds& samples, double /*device_s*/) const override {
+        if (samples.empty()) return std::nullopt;
         const auto& rounds = samples.at("draw");
-        return rounds.size() >= (rounds.front().front() == fast_ms_ ? 1U : 3U);
+        if (rounds.size() < (rounds.front().front() == fast_ms_ ? 1U : 3U)) return std::nullopt;
+        return StopReason::precise;
     }
 
 private:
@@ -88,10 +90,26 @@ struct Fixture {
     std::vector<Visit> visits;
     std::vector<std::pair<std::size_t, std::string>> failures;
 
-    std::vector<SampleRounds> sample(const StoppingRule& rule, std::uint64_t seed, int samples_per_visit = 2) {
-        return sample_in_rounds(
-            subjects, rule, samples_per_visit, seed, [this](const Visit& visit) { visits.push_back(visit); },
-            [this](std::size_t subject, const std::string& message) { failures.emplace_back(subject, message); });
+    std::vector<std::pair<std::size_t, StopReason>> stops;
+    std::vector<int> rounds_told;
+    /// By call.
+    std::vector<bool> throttled;
+    std::size_t throttle_calls = 0;
+
+    std::vector<SampledSubject> sample(const StoppingRule& rule, std::uint64_t seed, int samples_per_visit = 2,
+                                       std::size_t in_flight = 1) {
+        RoundCallbacks callbacks;
+        callbacks.on_visit = [this](const Visit& visit) { visits.push_back(visit); };
+        callbacks.on_failure = [this](std::size_t subject, const std::string& message) {
+            failures.emplace_back(subject, message);
+        };
+        callbacks.on_stop = [this](std::size_t subject, StopReason reason) { stops.emplace_back(subject, reason); };
+        callbacks.on_round = [this](int round) { rounds_told.push_back(round); };
+        callbacks.is_throttled = [this] {
+            const std::size_t call = throttle_calls++;
+            return call < throttled.size() && throttled[call];
+        };
+        return sample_in_rounds(subjects, rule, {samples_per_visit, seed, in_flight}, callbacks);
     }
 };
 
@@ -133,17 +151,18 @@ TEST(Rounds, OrderChangesBetweenRoundsAndBetweenSeeds) {
 
 TEST(Rounds, SettledSubjectsLeave) {
     Fixture fixture;
-    const std::vector<SampleRounds> samples = fixture.sample(UnevenRule(250), 3);
+    const std::vector<SampledSubject> samples = fixture.sample(UnevenRule(250), 3);
     EXPECT_EQ(fixture.log, expected_log({{"a", "b", "c"}, {"b", "c"}, {"b", "c"}}, 3));
-    EXPECT_EQ(samples[0].at("draw").size(), 1U);
-    EXPECT_EQ(samples[1].at("draw").size(), 3U);
+    EXPECT_EQ(samples[0].samples.at("draw").size(), 1U);
+    EXPECT_EQ(samples[1].samples.at("draw").size(), 3U);
 }
 
 TEST(Rounds, SamplesAreKeptByRoundExactlyAsTaken) {
     Fixture fixture;
-    const std::vector<SampleRounds> samples = fixture.sample(*make_fixed_rule(2), 1, 3);
-    EXPECT_THAT(samples[0].at("draw"), ElementsAre(ElementsAre(250, 250, 250), ElementsAre(250, 250, 250)));
-    EXPECT_THAT(samples[2].at("draw"), ElementsAre(ElementsAre(2000, 2000, 2000), ElementsAre(2000, 2000, 2000)));
+    const std::vector<SampledSubject> samples = fixture.sample(*make_fixed_rule(2), 1, 3);
+    EXPECT_THAT(samples[0].samples.at("draw"), ElementsAre(ElementsAre(250, 250, 250), ElementsAre(250, 250, 250)));
+    EXPECT_THAT(samples[2].samples.at("draw"),
+                ElementsAre(ElementsAre(2000, 2000, 2000), ElementsAre(2000, 2000, 2000)));
 }
 
 TEST(Rounds, EveryVisitIsToldAtOnceWithRoundAndOrder) {
@@ -163,36 +182,134 @@ TEST(Rounds, EveryVisitIsToldAtOnceWithRoundAndOrder) {
 TEST(Rounds, AFailingSubjectIsDroppedAndTheOthersGoOn) {
     Fixture fixture;
     fixture.b.failing_visit = 2;
-    const std::vector<SampleRounds> samples = fixture.sample(*make_fixed_rule(4), 5);
+    const std::vector<SampledSubject> samples = fixture.sample(*make_fixed_rule(4), 5);
     EXPECT_EQ(fixture.log, expected_log({{"a", "b", "c"}, {"a", "b", "c"}, {"a", "c"}, {"a", "c"}}, 5));
     EXPECT_THAT(fixture.failures, ElementsAre(std::pair<std::size_t, std::string>(1, "b broke")));
-    EXPECT_EQ(samples[0].at("draw").size(), 4U);
-    EXPECT_EQ(samples[1].at("draw").size(), 1U);
-    EXPECT_EQ(samples[2].at("draw").size(), 4U);
+    EXPECT_EQ(samples[0].samples.at("draw").size(), 4U);
+    EXPECT_EQ(samples[1].samples.at("draw").size(), 1U);
+    EXPECT_EQ(samples[2].samples.at("draw").size(), 4U);
 }
 
 TEST(Rounds, ASubjectThatFailsInWarmUpIsNeverVisited) {
     Fixture fixture;
     fixture.a.fails_in_warm_up = true;
-    const std::vector<SampleRounds> samples = fixture.sample(*make_fixed_rule(2), 9);
+    const std::vector<SampledSubject> samples = fixture.sample(*make_fixed_rule(2), 9);
     EXPECT_EQ(fixture.log, expected_log({{"b", "c"}, {"b", "c"}}, 9));
     EXPECT_THAT(fixture.failures, ElementsAre(std::pair<std::size_t, std::string>(0, "a does not start")));
-    EXPECT_TRUE(samples[0].empty());
+    EXPECT_TRUE(samples[0].samples.empty());
 }
 
 TEST(Rounds, AnErrorOfTheCallerEndsTheRun) {
     Fixture fixture;
-    const auto full_disk = [](const Visit&) { fail("disk full"); };
-    const auto on_failure = [](std::size_t, const std::string&) { FAIL() << "the subject did nothing wrong"; };
-    EXPECT_THROW(sample_in_rounds(fixture.subjects, *make_fixed_rule(2), 1, 1, full_disk, on_failure), Error);
+    RoundCallbacks callbacks;
+    callbacks.on_visit = [](const Visit&) { fail("disk full"); };
+    callbacks.on_failure = [](std::size_t, const std::string&) { FAIL() << "the subject did nothing wrong"; };
+    EXPECT_THROW(sample_in_rounds(fixture.subjects, *make_fixed_rule(2), {}, callbacks), Error);
 }
 
-TEST(FixedRule, NeedsEveryPassInEveryRound) {
-    const auto rule = make_fixed_rule(2);
-    EXPECT_FALSE(rule->is_settled({}));
-    EXPECT_FALSE(rule->is_settled({{"draw", {{1.0}}}}));
-    EXPECT_TRUE(rule->is_settled({{"draw", {{1.0}, {1.0}}}}));
-    EXPECT_FALSE(rule->is_settled({{"draw", {{1.0}, {1.0}}}, {"shadow", {{1.0}}}}));
+TEST(Rounds, TellWhySubjectsStopAndWhenARoundIsOver) {
+    Fixture fixture;
+    const std::vector<SampledSubject> samples = fixture.sample(UnevenRule(250), 3);
+    EXPECT_THAT(fixture.stops, ElementsAre(std::pair(0U, StopReason::precise), std::pair(1U, StopReason::precise),
+                                           std::pair(2U, StopReason::precise)));
+    EXPECT_THAT(fixture.rounds_told, ElementsAre(0, 1, 2));
+    EXPECT_EQ(samples[2].stop, StopReason::precise);
+}
+
+TEST(Rounds, AFailedSubjectHasNoReasonToStop) {
+    Fixture fixture;
+    fixture.a.failing_visit = 1;
+    EXPECT_FALSE(fixture.sample(*make_fixed_rule(2), 9)[0].stop);
+}
+
+TEST(Rounds, AThrottledVisitIsToldAndReplaced) {
+    Fixture fixture;
+    fixture.subjects = {&fixture.a};
+    fixture.throttled = {false, true, true};
+    const std::vector<SampledSubject> samples = fixture.sample(*make_fixed_rule(3), 1);
+    ASSERT_EQ(fixture.visits.size(), 5U);
+    for (std::size_t visit = 0; visit < 5; ++visit) {
+        const bool throttled = visit == 1 || visit == 2;
+        EXPECT_EQ(fixture.visits[visit].throttled, throttled) << visit;
+        EXPECT_EQ(fixture.visits[visit].counted, !throttled) << visit;
+    }
+    EXPECT_EQ(samples[0].samples.at("draw").size(), 3U);
+    EXPECT_EQ(samples[0].throttled_rounds, 0U);
+}
+
+TEST(Rounds, WhenThrottlingDoesNotEndItCountsAndIsSaid) {
+    Fixture fixture;
+    fixture.subjects = {&fixture.a};
+    fixture.throttled.assign(1000, true);
+    const std::vector<SampledSubject> samples = fixture.sample(*make_fixed_rule(3), 1);
+    EXPECT_EQ(fixture.visits.size(), most_throttled_repeats + 3);
+    EXPECT_EQ(samples[0].samples.at("draw").size(), 3U);
+    EXPECT_EQ(samples[0].throttled_rounds, 3U);
+}
+
+/// Tells when its visits are submitted and collected.
+class SplitSubject : public Subject {
+public:
+    SplitSubject(std::string name, std::vector<std::string>& log) : name_(std::move(name)), log_(&log) {}
+    void warm_up() override {}
+    Samples visit(int count) override {
+        submit(count);
+        return collect();
+    }
+    void submit(int) override { log_->push_back("submit " + name_); }
+    Samples collect() override {
+        log_->push_back("collect " + name_);
+        if (fails) fail("{} broke", name_);
+        return {{"draw", {1.0}}};
+    }
+    int repeats() const override { return 500; }
+    bool fails = false;
+
+private:
+    std::string name_;
+    std::vector<std::string>* log_;
+};
+
+std::vector<std::string> log_of_split_round(std::size_t in_flight, bool a_fails = false) {
+    std::vector<std::string> log;
+    SplitSubject a("x", log);
+    SplitSubject b("x", log);
+    SplitSubject c("x", log);
+    a.fails = a_fails;
+    RoundCallbacks callbacks;
+    callbacks.on_visit = [&log](const Visit&) { log.push_back("keep x"); };
+    callbacks.on_failure = [&log](std::size_t, const std::string&) { log.push_back("lose x"); };
+    sample_in_rounds({&a, &b, &c}, *make_fixed_rule(1), {1, 1, in_flight}, callbacks);
+    return log;
+}
+
+TEST(Rounds, OneInFlightKeepsAVisitBeforeTheNextIsSubmitted) {
+    EXPECT_THAT(log_of_split_round(1), ElementsAre("submit x", "collect x", "keep x", "submit x", "collect x", "keep x",
+                                                   "submit x", "collect x", "keep x"));
+}
+
+TEST(Rounds, TwoInFlightKeepTheDeviceBusyWhileAVisitIsKept) {
+    EXPECT_THAT(log_of_split_round(2), ElementsAre("submit x", "submit x", "collect x", "keep x", "submit x",
+                                                   "collect x", "keep x", "collect x", "keep x"));
+}
+
+TEST(Rounds, AFailureInFlightLeavesTheOthersAlone) {
+    const std::vector<std::string> log = log_of_split_round(2, true);
+    EXPECT_EQ(std::count(log.begin(), log.end(), "keep x"), 2);
+    EXPECT_EQ(std::count(log.begin(), log.end(), "lose x"), 1);
+}
+
+TEST(Rounds, TheDeviceTimeOfASampleCountsItsRepeats) {
+    std::vector<std::string> log;
+    SplitSubject subject("x", log);
+    RoundCallbacks callbacks;
+    std::size_t visits = 0;
+    callbacks.on_visit = [&visits](const Visit&) { ++visits; };
+    callbacks.on_failure = [](std::size_t, const std::string& reason) { FAIL() << reason; };
+    // One sample of 1 ms, 500 draws: half a second.
+    const auto sampled = sample_in_rounds({&subject}, *make_time_rule(1.5), {}, callbacks);
+    EXPECT_EQ(visits, 3U);
+    EXPECT_EQ(sampled[0].stop, StopReason::time);
 }
 
 }  // namespace

@@ -10,11 +10,9 @@ TEST(TimeEstimate, IsUnknownUntilACellWasPreparedAndVisited) {
     EXPECT_LT(estimate.remaining_seconds(), 0);
     estimate.add_preparation(1);
     EXPECT_LT(estimate.remaining_seconds(), 0);
-    estimate.add_untimed_visit();
-    EXPECT_LT(estimate.remaining_seconds(), 0);
     estimate.add_visit(0.5);
-    // Three cells to prepare, six of eight visits to make.
-    EXPECT_EQ(estimate.remaining_seconds(), 3 * 1 + 6 * 0.5);
+    // Three cells to prepare, seven of eight visits to make.
+    EXPECT_EQ(estimate.remaining_seconds(), 3 * 1 + 7 * 0.5);
 }
 
 TEST(TimeEstimate, EndsAtZero) {
@@ -34,6 +32,31 @@ TEST(TimeEstimate, ADroppedCellWantsNoMoreVisits) {
     estimate.add_visit(2);
     estimate.drop_cell(1);
     EXPECT_EQ(estimate.remaining_seconds(), 4 * 2);
+}
+
+TEST(TimeEstimate, LearnsFromFinishedCellsHowManyVisitsOneTakes) {
+    TimeEstimate estimate(3, 6);
+    for (int cell = 0; cell < 3; ++cell) {
+        estimate.add_preparation(1);
+    }
+    for (int visit = 0; visit < 20; ++visit) {
+        estimate.add_visit(0.5);
+    }
+    // Two cells with 20 visits between them; the third has had none.
+    estimate.finish_cell(8);
+    estimate.finish_cell(12);
+    EXPECT_EQ(estimate.remaining_seconds(), 10 * 0.5);
+}
+
+TEST(TimeEstimate, ACellThatTakesLongerThanOthersDidHasNothingNegativeLeft) {
+    TimeEstimate estimate(2, 2);
+    estimate.add_preparation(1);
+    estimate.add_preparation(1);
+    for (int visit = 0; visit < 9; ++visit) {
+        estimate.add_visit(0.5);
+    }
+    estimate.finish_cell(2);
+    EXPECT_EQ(estimate.remaining_seconds(), 0);
 }
 
 }  // namespace

@@ -20,13 +20,16 @@ CellResult full_result() {
     result.axes["view_angle"] = 60;
     result.parameters["max_steps"] = 16;
     result.parameters["bias"] = 0.1;
-    result.time["draw"] = {1.0 / 3, 0.01, {0.3, 0.4}, 15, 4};
-    result.time["quadtree"] = {2, 0, {2, 2}, 3, 1};
+    result.time["draw"] = {1.0 / 3, 0.01, {0.3, 0.4}, 15, 4, 5, 2};
+    result.time["quadtree"] = {2, 0, {2, 2}, 3, 1, 3, 0};
     result.ns_per_pixel = 12.5;
+    result.stop = StopReason::stalled;
+    result.throttled_rounds = 3;
     result.prepare_ms = 0.75;
     result.prepare_bytes = 87381;
     result.work = {17.5, 18, 70, 16, 16, 0.25, 65536};
     result.pipeline["fragment_shader_invocations"] = 65536;
+    result.executable["fragment"]["register_count"] = 40;
     CellResult::Errors errors;
     errors.uv_texels = Summary{0.1, 0.2, 0.05, 0.5, 1e-300, 3};
     errors.depth = Summary{-0.001, 0.002, 0.0005, 0.005, 0.01, 0.03};
@@ -51,14 +54,17 @@ TEST(CellResultJson, HasEveryFieldWhereTheFormatSays) {
         "status": "ok",
         "reason": null,
         "time": {
-            "draw": {"median_ms": 0.3333333333333333, "mad_ms": 0.01, "ci95_ms": [0.3, 0.4], "n": 15, "repeats": 4},
-            "quadtree": {"median_ms": 2.0, "mad_ms": 0.0, "ci95_ms": [2.0, 2.0], "n": 3, "repeats": 1},
-            "ns_per_pixel": 12.5
+            "draw": {"median_ms": 0.3333333333333333, "mad_ms": 0.01, "ci95_ms": [0.3, 0.4], "n": 15, "repeats": 4,
+                     "rounds": 5, "outliers": 2},
+            "quadtree": {"median_ms": 2.0, "mad_ms": 0.0, "ci95_ms": [2.0, 2.0], "n": 3, "repeats": 1, "rounds": 3,
+                         "outliers": 0},
+            "ns_per_pixel": 12.5, "stop": "stalled", "throttled_rounds": 3
         },
         "prepare": {"ms": 0.75, "bytes": 87381},
         "work": {"taps_mean": 17.5, "taps_p95": 18.0, "texels_mean": 70.0, "steps_mean": 16.0, "steps_p95": 16.0,
                  "unconverged": 0.25, "covered_pixels": 65536},
         "pipeline": {"fragment_shader_invocations": 65536},
+        "executable": {"fragment": {"register_count": 40.0}},
         "error": {
             "uv_texels": {"mean": 0.1, "rms": 0.2, "p50": 0.05, "p95": 0.5, "p99": 1e-300, "max": 3.0},
             "depth": {"mean": -0.001, "rms": 0.002, "p50": 0.0005, "p95": 0.005, "p99": 0.01, "max": 0.03},
@@ -78,10 +84,26 @@ TEST(CellResultJson, ReadsBackTheSameToTheLastBit) {
     EXPECT_EQ(result.time.at("draw").median_ms, 1.0 / 3);
     EXPECT_EQ(result.time.at("draw").n, 15U);
     EXPECT_EQ(result.time.size(), 2U);
+    EXPECT_EQ(result.time.at("draw").outliers, 2U);
+    EXPECT_EQ(result.stop, StopReason::stalled);
+    EXPECT_EQ(result.throttled_rounds, 3U);
+    EXPECT_EQ(result.executable.at("fragment").at("register_count"), 40);
     EXPECT_EQ(result.error->uv_texels->p99, 1e-300);
     EXPECT_EQ(result.work->covered_pixels, 65536U);
     EXPECT_EQ(result.image->psnr, 30);
     EXPECT_EQ(result.status, CellStatus::ok);
+}
+
+TEST(CellResultJson, RunsFromBeforeStoppingRulesAreRead) {
+    Json json = to_json(full_result());
+    json.erase("executable");
+    json["time"].erase("stop");
+    json["time"].erase("throttled_rounds");
+    json["time"]["draw"].erase("rounds");
+    json["time"]["draw"].erase("outliers");
+    const CellResult result = parse_cell_result(json, "cells.jsonl");
+    EXPECT_FALSE(result.stop);
+    EXPECT_EQ(result.time.at("draw").n, 15U);
 }
 
 TEST(CellResultJson, WhatIsUndefinedIsNullAndReadsBackEmpty) {
@@ -93,8 +115,9 @@ TEST(CellResultJson, WhatIsUndefinedIsNullAndReadsBackEmpty) {
     const Json json = to_json(result);
     EXPECT_EQ(json, Json::parse(R"({
         "cell": "tessellation | heightmap=bricks", "technique": "tessellation", "axes": {}, "params": {},
-        "status": "skipped", "reason": "the device has no tessellation", "time": {"ns_per_pixel": null},
-        "prepare": {"ms": null, "bytes": null}, "work": null, "pipeline": {}, "error": null, "image": null})"));
+        "status": "skipped", "reason": "the device has no tessellation", "time": {"ns_per_pixel": null, "stop": null, "throttled_rounds": 0},
+        "prepare": {"ms": null, "bytes": null}, "work": null, "pipeline": {}, "executable": {},
+        "error": null, "image": null})"));
     const CellResult read = parse_cell_result(json, "cells.jsonl");
     EXPECT_EQ(read.status, CellStatus::skipped);
     EXPECT_EQ(read.reason, result.reason);

@@ -74,6 +74,26 @@ TEST_F(RunFolder, LinesAreThereAsSoonAsTheyAreAppended) {
     EXPECT_EQ(read_text_file(folder / "samples.jsonl"),
               R"({"cell":"a","pass":"draw","round":2,"order":5,"repeats":4,"ms":[0.5,0.25]})"
               "\n");
+    writer.append_round({.block = 1, .round = 2, .seconds = 0.5, .clock_mhz = 1980, .throttled = true});
+    EXPECT_EQ(read_text_file(folder / "rounds.jsonl"),
+              R"({"block":1,"round":2,"seconds":0.5,"clock_mhz":1980.0,"memory_clock_mhz":null,"temperature_c":null,)"
+              R"("throttled":true})"
+              "\n");
+}
+
+TEST_F(RunFolder, SamplesThatDoNotCountAreMarked) {
+    RunWriter writer(folder, record);
+    writer.append_samples({"a", "draw", 2, 5, 4, {0.5}, true});
+    EXPECT_EQ(read_text_file(folder / "samples.jsonl"),
+              R"({"cell":"a","pass":"draw","round":2,"order":5,"repeats":4,"ms":[0.5],"throttled":true})"
+              "\n");
+}
+
+TEST_F(RunFolder, TheSummaryComesAtTheEnd) {
+    RunWriter writer(folder, record);
+    EXPECT_FALSE(fs::exists(folder / "summary.json"));
+    writer.write_summary({{"total_s", 1.5}});
+    EXPECT_EQ(read_json_file(folder / "summary.json"), Json({{"total_s", 1.5}}));
 }
 
 TEST_F(RunFolder, ARunIsNeverOverwritten) {

@@ -53,9 +53,22 @@ TEST(Configuration, SettingsThatAreLeftOutKeepTheirDefaults) {
     EXPECT_EQ(configuration.name, "test");
     EXPECT_EQ(configuration.seed, 1U);
     EXPECT_EQ(configuration.truth.kind, TruthSettings::Kind::exact);
+    EXPECT_EQ(configuration.sampling.rule, SamplingSettings::Rule::precision);
     EXPECT_EQ(configuration.sampling.rounds, SamplingSettings{}.rounds);
     EXPECT_EQ(configuration.lighting.lights.size(), 1U);
     EXPECT_FALSE(configuration.images);
+}
+
+TEST(Configuration, StoppingRulesAreRead) {
+    const SamplingSettings precision =
+        parse(with_member(R"("sampling": {"rule": "precision", "rounds": 6, "precision": 0.05, "budget_s": 1.5})"))
+            .sampling;
+    EXPECT_EQ(precision.rule, SamplingSettings::Rule::precision);
+    EXPECT_EQ(precision.rounds, 6);
+    EXPECT_EQ(precision.precision, 0.05);
+    EXPECT_EQ(precision.budget_s, 1.5);
+    const SamplingSettings time = parse(with_member(R"("sampling": {"rule": "time", "rounds": 1})")).sampling;
+    EXPECT_EQ(time.rule, SamplingSettings::Rule::time);
 }
 
 TEST(Configuration, SettingsAreRead) {
@@ -70,6 +83,7 @@ TEST(Configuration, SettingsAreRead) {
     EXPECT_EQ(configuration.truth.kind, TruthSettings::Kind::mesh);
     EXPECT_EQ(configuration.truth.subdivision, 8);
     EXPECT_TRUE(configuration.images);
+    EXPECT_EQ(configuration.sampling.rule, SamplingSettings::Rule::fixed);
     EXPECT_EQ(configuration.sampling.rounds, 7);
     EXPECT_EQ(configuration.sampling.samples_per_visit, 6);
     EXPECT_EQ(configuration.sampling.warm_up, 0);
@@ -179,6 +193,10 @@ TEST(Configuration, WhatIsWrongIsNamedWithItsPlace) {
         {with_member(R"("truth": {"subdivision": 0})"), "$.truth.subdivision: expected an integer from 1 to 64"},
         {with_member(R"("sampling": {"rule": "entropy"})"), "$.sampling.rule"},
         {with_member(R"("sampling": {"rounds": 0})"), "$.sampling.rounds: expected an integer from 1"},
+        {with_member(R"("sampling": {"rounds": 5})"), "$.sampling.rounds: expected at least 6 rounds for the rule"},
+        {with_member(R"("sampling": {"precision": 0})"), "$.sampling.precision: expected a number"},
+        {with_member(R"("sampling": {"rule": "time", "budget_s": 0})"),
+         "$.sampling.budget_s: expected seconds above 0"},
         {with_member(R"("lighting": {"lights": [{}, {}, {}, {}]})"), "$.lighting.lights: expected at most 3 lights"},
         {with_member(R"("lighting": {"lights": [{"direction": [0, 0, 0]}]})"),
          "$.lighting.lights[0].direction: expected a direction that is not zero"},
@@ -260,7 +278,7 @@ TEST(Configuration, ReadsBackFromWhatIsWrittenToRunJson) {
     const std::string text = with(R"("name": "round", "seed": 5, "images": true, "zip": [["view_angle", "azimuth"]],
         "axes": {"heightmap": ["rock", {"name": "bricks", "size": "64x32", "seed": 3}], "view_angle": [0, 60],
                  "azimuth": [0, 22.5], "sample_count": [16, 32]}, "exclude": [{"technique": "plain", "view_angle": 60}],
-        "truth": {"kind": "mesh"}, "lighting": {"fog": {}, "shininess": 3}, "sampling": {"rounds": 2})",
+        "truth": {"kind": "mesh"}, "lighting": {"fog": {}, "shininess": 3}, "sampling": {"rounds": 7})",
                                   R"(["plain", "march", {"technique": "tree", "parameters": {"leaf": ["exact"]}}])");
     const Configuration first = parse(text, {"view_angle=10,60"});
     Json run = Json::object();

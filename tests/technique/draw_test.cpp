@@ -265,6 +265,30 @@ TEST_F(Draw, IsTimedAndCounted) {
     EXPECT_GE(statistics.at("fragment_shader_invocations"), 32u * 16u);
 }
 
+TEST_F(Draw, TwoAreTimedAtOnceAndAgain) {
+    const TemporaryTechnique folder(Files{{"trace.glsl", march_trace}});
+    const SceneOnDevice scene(device(), bumpy_map(), grey_albedo());
+    const View view = make_view(60, Projection::parallel, {32, 16});
+    Renderer first = make_renderer(device(), folder.load(), scene, view);
+    Renderer second = make_renderer(device(), folder.load(), scene, view);
+    for (int visit = 0; visit < 3; ++visit) {
+        first.submit_draw(2, 3);
+        second.submit_draw(1);
+        EXPECT_EQ(first.collect_draw().size(), 2u);
+        EXPECT_EQ(second.collect_draw().size(), 1u);
+    }
+    // Other numbers than those recorded.
+    EXPECT_EQ(first.time_draw(4, 1).size(), 4u);
+    EXPECT_EQ(first.time_draw(2, 3).size(), 2u);
+}
+
+TEST_F(Draw, MayBeGivenUpWhileItIsTimed) {
+    const TemporaryTechnique folder(Files{{"trace.glsl", march_trace}});
+    const SceneOnDevice scene(device(), bumpy_map(), grey_albedo());
+    Renderer renderer = make_renderer(device(), folder.load(), scene, make_view(60, Projection::parallel, {64, 64}));
+    renderer.submit_draw(2);
+}
+
 // Timestamps that do not wait for the draw would leave most of the submission's time to no sample. A share of it, no
 // time, and of a CPU device's only: elsewhere submitting may take longer than drawing.
 TEST_F(Draw, SamplesHoldTheirDraws) {

@@ -1,0 +1,89 @@
+#include "measure/run_summary.hpp"
+
+#include "core/suggest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr std::array stop_reasons{StopReason::precise, StopReason::stalled, StopReason::budget, StopReason::rounds,
+                                  StopReason::time};
+
+template <typename Predicate>
+std::size_t count_cells(const RunOutcome& outcome, Predicate&& predicate) {
+    return static_cast<std::size_t>(std::count_if(outcome.cells.begin(), outcome.cells.end(), predicate));
+}
+
+std::size_t count_status(const RunOutcome& outcome, CellStatus status) {
+    return count_cells(outcome, [status](const CellResult& cell) { return cell.status == status; });
+}
+
+std::size_t count_stops(const RunOutcome& outcome, StopReason reason) {
+    return count_cells(outcome, [reason](const CellResult& cell) { return cell.stop == reason; });
+}
+
+std::size_t count_throttled_cells(const RunOutcome& outcome) {
+    return count_cells(outcome, [](const CellResult& cell) { return cell.throttled_rounds > 0; });
+}
+
+std::optional<double> utilisation(const TimeSplit& split) {
+    if (split.timing_s <= 0) return std::nullopt;
+    return split.timing_samples_s / split.timing_s;
+}
+
+}  // namespace
+
+Json make_run_summary(const RunOutcome& outcome, const Json& empty_pass) {
+    const TimeSplit& split = outcome.split;
+    const std::optional<double> utilised = utilisation(split);
+    Json json;
+    json["cells"] = {{"ok", count_status(outcome, CellStatus::ok)},
+                     {"skipped", count_status(outcome, CellStatus::skipped)},
+                     {"failed", count_status(outcome, CellStatus::failed)}};
+    for (const StopReason reason : stop_reasons) {
+        json["stop"][std::string(to_string(reason))] = count_stops(outcome, reason);
+    }
+    json["throttled_cells"] = count_throttled_cells(outcome);
+    json["total_s"] = split.total_s;
+    json["samples_s"] = split.samples_s;
+    json["truth_s"] = split.truth_s;
+    json["timing"] = {{"total_s", split.timing_s},
+                      {"samples_s", split.timing_samples_s},
+                      {"utilisation", utilised ? Json(*utilised) : Json(nullptr)}};
+    json["empty_pass"] = empty_pass;
+    return json;
+}
+
+std::string format_run_summary(const RunOutcome& outcome, const Json& empty_pass) {
+    const TimeSplit& split = outcome.split;
+    const double useful_s = split.samples_s + split.truth_s;
+    std::string text =
+        fmt::format("time: {:.1f} s in all; {:.1f} s inside counted GPU samples, {:.1f} s tracing truths: {:.0f} %\n",
+                    split.total_s, split.samples_s, split.truth_s, 100 * useful_s / split.total_s);
+    const std::optional<double> utilised = utilisation(split);
+    if (!utilised) return text;
+    text += fmt::format(
+        "timing: {:.1f} s from first to last visits, {:.1f} % of it inside counted samples; an empty pass takes {:.4f} "
+        "ms\n",
+        split.timing_s, 100 * *utilised, empty_pass.at("median_ms").get<double>());
+    std::vector<std::string> stops;
+    for (const StopReason reason : stop_reasons) {
+        if (const std::size_t cells = count_stops(outcome, reason); cells > 0) {
+            stops.push_back(fmt::format("{} {}", cells, to_string(reason)));
+        }
+    }
+    text += fmt::format("stopped: {}", join(stops));
+    if (const std::size_t cells = count_throttled_cells(outcome); cells > 0) {
+        text += fmt::format("; {} cells count throttled rounds", cells);
+    }
+    return text + '\n';
+}
+
+}  // namespace reliefbench

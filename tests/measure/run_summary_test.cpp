@@ -1,0 +1,52 @@
+#include "measure/run_summary.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace reliefbench {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+RunOutcome outcome_of_four() {
+    RunOutcome outcome;
+    outcome.cells.resize(4);
+    outcome.cells[0].stop = StopReason::precise;
+    outcome.cells[1].stop = StopReason::precise;
+    outcome.cells[2].stop = StopReason::budget;
+    outcome.cells[2].throttled_rounds = 7;
+    outcome.cells[3].status = CellStatus::failed;
+    outcome.split = {.total_s = 20, .samples_s = 8, .truth_s = 1, .timing_s = 8, .timing_samples_s = 7.5};
+    return outcome;
+}
+
+const Json empty_pass = {{"median_ms", 0.00125}, {"mad_ms", 0.0}, {"n", 21}};
+
+TEST(RunSummary, SaysHowCellsEndedAndWhereTheTimeWent) {
+    EXPECT_EQ(make_run_summary(outcome_of_four(), empty_pass), Json::parse(R"({
+        "cells": {"ok": 3, "skipped": 0, "failed": 1},
+        "stop": {"precise": 2, "stalled": 0, "budget": 1, "rounds": 0, "time": 0},
+        "throttled_cells": 1,
+        "total_s": 20.0, "samples_s": 8.0, "truth_s": 1.0,
+        "timing": {"total_s": 8.0, "samples_s": 7.5, "utilisation": 0.9375},
+        "empty_pass": {"median_ms": 0.00125, "mad_ms": 0.0, "n": 21}
+    })"));
+}
+
+TEST(RunSummary, IsPrinted) {
+    const std::string text = format_run_summary(outcome_of_four(), empty_pass);
+    EXPECT_THAT(text, HasSubstr("time: 20.0 s in all; 8.0 s inside counted GPU samples, 1.0 s tracing truths: 45 %\n"));
+    EXPECT_THAT(text, HasSubstr("93.8 % of it inside counted samples; an empty pass takes 0.0013 ms\n"));
+    EXPECT_THAT(text, HasSubstr("stopped: 2 precise, 1 budget; 1 cells count throttled rounds\n"));
+}
+
+TEST(RunSummary, WithoutTimingsThereIsNoUtilisation) {
+    RunOutcome outcome;
+    outcome.split.total_s = 1;
+    EXPECT_TRUE(make_run_summary(outcome, empty_pass).at("timing").at("utilisation").is_null());
+    EXPECT_THAT(format_run_summary(outcome, empty_pass), Not(HasSubstr("timing:")));
+}
+
+}  // namespace
+}  // namespace reliefbench
