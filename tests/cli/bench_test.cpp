@@ -55,7 +55,11 @@ TEST_F(Bench, ListsTheCellsUnderNamesThatAreTheirOwnFilters) {
 
 TEST_F(Bench, WritesJsonWithTheDrawsTimeAndCounters) {
     const Outcome outcome =
-        bench({"--benchmark_filter=^steep.*view_angle", "--benchmark_out=out.json", "--benchmark_context=run=first"});
+        bench({"--benchmark_filter=^steep.*view_angle", "--benchmark_out=out.json", "--benchmark_context=run=first"},
+              [](Json& json) {
+                  json["sampling"]["rounds"] = 2;
+                  json["sampling"]["samples_per_visit"] = 3;
+              });
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const Json json = Json::parse(read_file(path("out.json")));
     const Json& context = json.at("context");
@@ -66,7 +70,7 @@ TEST_F(Bench, WritesJsonWithTheDrawsTimeAndCounters) {
     ASSERT_EQ(json.at("benchmarks").size(), 1U);
     const Json& cell = json.at("benchmarks").front();
     EXPECT_THAT(cell.at("name").get<std::string>(), AllOf(testing::StartsWith("steep/"), HasSubstr("manual_time")));
-    EXPECT_EQ(cell.at("iterations"), 2) << "rounds times samples per visit";
+    EXPECT_EQ(cell.at("iterations"), 2 * 3) << "rounds times samples per visit";
     EXPECT_GT(cell.at("real_time").get<double>(), 0);
     EXPECT_EQ(cell.at("time_unit"), "ms");
     EXPECT_GT(cell.at("taps").get<double>(), 0);
@@ -125,7 +129,9 @@ TEST_F(Bench, AFailedCellIsReportedAndTheOthersGoOn) {
     for (const Json& cell : Json::parse(read_file(path("out.json"))).at("benchmarks")) {
         const bool broken = cell.at("name").get<std::string>().starts_with("mine/");
         EXPECT_EQ(cell.value("error_occurred", false), broken) << cell;
-        if (broken) EXPECT_THAT(cell.at("error_message").get<std::string>(), HasSubstr("trace.glsl"));
+        if (broken) {
+            EXPECT_THAT(cell.at("error_message").get<std::string>(), HasSubstr("trace.glsl"));
+        }
     }
 }
 
