@@ -31,11 +31,11 @@ protected:
         // No search depends on another one's result, and none can be left out.
         write(side + "/mine/trace.glsl", R"(#include "march.glsl"
 Trace trace(ReliefRay ray) {
-    float layers = )" + layers + R"(;
+    int layers = )" + layers + R"(;
     Crossing crossing = find_crossing(ray, layers);
     for (int i = 1; i < )" + std::to_string(searches) +
                                              R"(; ++i) {
-        if (find_crossing(ray, layers + float(i)).s_below < -1.0) return miss(0);
+        if (find_crossing(ray, layers + i).s_below < -1.0) return miss(0);
     }
     return hit_on_ray(crossing.s_below, crossing.steps);
 }
@@ -95,8 +95,8 @@ TEST_F(Ab, IdenticalShadersAreNeverSlowerOrFaster) {
 }
 
 TEST_F(Ab, AnErrorThatGrewIsAWorseQuality) {
-    write_trace("base", 1, "32.0");
-    write_trace("techniques", 1, "8.0");
+    write_trace("base", 1, "32");
+    write_trace("techniques", 1, "8");
     const Outcome outcome = ab({"--threshold", "99%", "--budget", "1s"});
     EXPECT_EQ(outcome.code, 1) << outcome.out;
     EXPECT_EQ(Json::parse(outcome.out).at("cells")[0].at("quality").at("verdict"), "worse");

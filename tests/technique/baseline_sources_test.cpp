@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr const char* manifest = R"({ "title": "T", "kind": "march", "citation": "c" })";
+constexpr const char* manifest =
+    R"({ "title": "T", "kind": "march", "citation": "c", "parameters": [], "shape": "quad", "promises": [] })";
 
 void write(const fs::path& path, const std::string& text) {
     fs::create_directories(path.parent_path());
@@ -59,10 +60,11 @@ protected:
     }
 
     TechniqueSources find(const std::string& baseline) const {
-        return find_baseline(baseline, own(), folder_.path() / "scratch");
+        return find_baseline(baseline, own(), (folder_.path() / "scratch") / std::to_string(++finds_));
     }
 
     TemporaryFolder folder_;
+    mutable int finds_ = 0;
     const fs::path checkout_ = folder_.path() / "check out";
 };
 
