@@ -58,7 +58,9 @@ CellResult::Errors to_errors(const HitErrors& errors) {
 
 CellResult::ImageFields to_image_fields(const ImageErrors& errors) {
     CellResult::ImageFields fields;
+    fields.flip = errors.flip;
     fields.psnr = errors.psnr;
+    fields.ssim = errors.ssim;
     fields.rmse = errors.rmse;
     return fields;
 }

@@ -83,6 +83,7 @@ Json make_run_record(const RunSubject& subject) {
     record["environment"] = environment_to_json();
     record["device"] = device_record(subject.device.info());
     record["techniques"] = technique_hashes(subject.library, subject.cells);
+    record["shaders"] = hash_folder(shader_root());
     record["height_maps"] = height_map_records(subject.height_maps);
     record["empty_pass"] = empty_pass_record(subject.device);
     record["filter_deviation"] = filter_deviations(subject.device, subject.height_maps);
