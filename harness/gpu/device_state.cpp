@@ -138,14 +138,10 @@ public:
         if (nvml_.clock(handle_, Nvml::graphics_clock, &value) == Nvml::success) state.clock_mhz = value;
         if (nvml_.clock(handle_, Nvml::memory_clock, &value) == Nvml::success) state.memory_clock_mhz = value;
         if (nvml_.temperature(handle_, Nvml::gpu_temperature, &value) == Nvml::success) state.temperature_c = value;
-        state.throttled = is_throttled();
-        return state;
-    }
-
-    std::optional<bool> is_throttled() override {
         unsigned long long reasons = 0;
-        if (nvml_.throttle_reasons(handle_, &reasons) != Nvml::success) return std::nullopt;
-        return (reasons & Nvml::heat_or_power) != 0;
+        if (nvml_.throttle_reasons(handle_, &reasons) == Nvml::success)
+            state.throttled = (reasons & Nvml::heat_or_power) != 0;
+        return state;
     }
 
 private:

@@ -22,8 +22,6 @@ class DeviceStateSource {
 public:
     virtual ~DeviceStateSource() = default;
     virtual DeviceState read() = 0;
-    /// Of `read`, at less cost.
-    virtual std::optional<bool> is_throttled() { return std::nullopt; }
 };
 
 /// Where the device's state can be read: NVML for NVIDIA's driver, sysfs for amdgpu, the processors' clocks for a CPU

@@ -8,6 +8,7 @@
 #include "measure/cell_preparation.hpp"
 #include "measure/draw_subject.hpp"
 #include "measure/pictures.hpp"
+#include "measure/recent_state.hpp"
 #include "measure/rounds.hpp"
 #include "measure/shared_inputs.hpp"
 #include "measure/stopping_rule.hpp"
@@ -57,6 +58,7 @@ public:
           start_s_(clock.seconds()),
           in_flight_(options.in_flight.value_or(device.info().type == gpu::DeviceType::cpu ? 1 : 2)),
           device_state_(gpu::open_device_state(device)),
+          recent_state_(*device_state_, clock),
           rule_(make_stopping_rule(configuration.sampling)),
           estimate_(cells_to_measure(cells), least_rounds(configuration.sampling)),
           inputs_(device, configuration.lighting, configuration.truth),
@@ -189,7 +191,7 @@ private:
         callbacks.on_stop = [this, &sampling](std::size_t subject, StopReason) {
             estimate_.finish_cell(sampling.visits[subject]);
         };
-        callbacks.is_throttled = [this] { return device_state_->is_throttled().value_or(false); };
+        callbacks.is_throttled = [this] { return recent_state_.is_throttled(); };
         callbacks.on_round = [this, &sampling](int round) { keep_round(round, sampling); };
         return callbacks;
     }
@@ -215,7 +217,7 @@ private:
     }
 
     void keep_round(int round, Sampling& sampling) {
-        const gpu::DeviceState state = device_state_->read();
+        const gpu::DeviceState& state = recent_state_.read();
         RoundRecord record{.block = sampling.block, .round = round};
         const double now_s = clock_.seconds();
         record.seconds = now_s - sampling.round_start_s;
@@ -279,6 +281,7 @@ private:
     double start_s_;
     std::size_t in_flight_;
     std::unique_ptr<gpu::DeviceStateSource> device_state_;
+    RecentState recent_state_;
     std::unique_ptr<StoppingRule> rule_;
     TimeEstimate estimate_;
     SharedInputs inputs_;

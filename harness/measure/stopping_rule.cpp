@@ -24,6 +24,13 @@ double width(const Interval& interval) {
     return interval.high - interval.low;
 }
 
+/// Every round up to 32, then 16 of every doubling: an interval takes time to find, and each look is a chance to be
+/// lucky.
+bool is_look(std::size_t rounds) {
+    constexpr std::size_t looks_of_doubling = 16;
+    return rounds % std::max<std::size_t>(1, std::bit_floor(rounds) / looks_of_doubling) == 0;
+}
+
 bool is_precise(std::span<const double> medians, double precision) {
     const double centre = median(medians);
     const Interval interval = median_interval(medians);
@@ -64,7 +71,7 @@ public:
     std::optional<StopReason> stop(const SampleRounds& samples, double device_s) const override {
         const std::size_t rounds = rounds_of(samples);
         if (rounds < SamplingSettings::rounds_for_interval) return std::nullopt;
-        if (rounds >= least_rounds_) {
+        if (rounds >= least_rounds_ && (rounds == least_rounds_ || is_look(rounds))) {
             bool precise = true;
             bool stalled = false;
             for (const auto& [pass, pass_rounds] : samples) {

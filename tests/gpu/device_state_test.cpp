@@ -53,7 +53,6 @@ TEST_F(Nvml, HeatAndPowerThrottleButIdlingAndSetClocksDoNot) {
     };
     for (const auto& [reason, throttled] : reasons) {
         fake<unsigned long long>("fake_throttle_reasons") = reason;
-        EXPECT_EQ(source->is_throttled(), throttled) << reason;
         EXPECT_EQ(source->read().throttled, throttled) << reason;
     }
 }
@@ -143,7 +142,6 @@ TEST(DeviceState, OfAnyDeviceCanBeAskedFor) {
     const auto source = open_device_state(device);
     ASSERT_TRUE(source);
     source->read();
-    source->is_throttled();
 }
 
 }  // namespace

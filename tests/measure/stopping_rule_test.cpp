@@ -74,6 +74,17 @@ TEST(PrecisionRule, IsPreciseExactlyWhenTheIntervalIsWithinThePrecision) {
     EXPECT_FALSE(rule->stop(not_quite, 0));
 }
 
+TEST(PrecisionRule, LooksSeldomAtLongSeries) {
+    const auto rule = make_precision_rule(0.01, 6, 100);
+    const auto constant = [](std::size_t rounds) {
+        return SampleRounds{{"draw", std::vector<std::vector<double>>(rounds, {1.0})}};
+    };
+    EXPECT_EQ(rule->stop(constant(31), 0), StopReason::precise);
+    EXPECT_FALSE(rule->stop(constant(35 + 64), 0));
+    EXPECT_EQ(rule->stop(constant(36 + 64), 0), StopReason::precise);
+    EXPECT_EQ(make_precision_rule(0.01, 99, 100)->stop(constant(99), 0), StopReason::precise) << "the least";
+}
+
 TEST(PrecisionRule, TakesTheMedianOfARoundAndEveryPass) {
     const std::vector<std::vector<double>> steady(6, {1, 1, 50});
     const std::vector<std::vector<double>> unsteady{{1}, {2}, {3}, {4}, {5}, {6}};
