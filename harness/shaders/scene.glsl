@@ -5,7 +5,12 @@
 
 const int max_lights = 3;
 
-layout(set = 0, binding = 0, std140) uniform Scene {
+// A uniform block, unless the harness says otherwise for the device (scene_block in harness/technique/program.hpp).
+#ifndef RELIEFBENCH_SCENE_BLOCK
+#define RELIEFBENCH_SCENE_BLOCK uniform
+#endif
+
+layout(set = 0, binding = 0, std140) RELIEFBENCH_SCENE_BLOCK Scene {
     mat4 clip_from_world;
     vec3 eye;
     float height_scale;
