@@ -58,7 +58,7 @@ void add_compare_command(CLI::App& app, ChosenCommand& chosen) {
         app.add_subcommand("compare", "Compare stored runs: slower, faster, same or undecided per cell");
     command->add_option("runs", options->folders, "Folders of runs; two need no --")
         ->required()
-        ->type_name("BASE... -- NEW...");
+        ->type_name("BASE... [--] NEW");
     command
         ->add_option("--threshold", options->threshold,
                      "The smallest change of time that matters, written 2% or 0.02; default: 2%")
@@ -67,8 +67,8 @@ void add_compare_command(CLI::App& app, ChosenCommand& chosen) {
                       "Compare runs of different devices, whose times say nothing of a change in code");
     options->output.add_to(*command);
     command->footer(
-        "Exit code 0 when nothing is worse, 1 when a cell is slower or its quality worse, 3 when some are undecided, 4 "
-        "when a cell that was measured in the base failed now.\n"
+        "Exit code 0 when nothing is worse, 1 when a cell is slower or its quality worse, 3 when some are undecided or "
+        "none could be compared, 4 when a cell that was measured in the base failed now.\n"
         "Example: reliefbench compare results/before1 results/before2 -- results/after1 results/after2\n");
     command->callback([&chosen, options] { chosen = [options] { return compare(*options); }; });
 }

@@ -1,12 +1,11 @@
 #include "cli/comparison_output.hpp"
 
+#include "cli/results.hpp"
 #include "cli/terminal.hpp"
 #include "core/suggest.hpp"
 #include "report/comparison_words.hpp"
 
 #include <CLI/CLI.hpp>
-
-#include <fmt/format.h>
 
 namespace reliefbench {
 
@@ -21,14 +20,14 @@ void ComparisonOutput::check() const {
 }
 
 ExitCode ComparisonOutput::print(const Comparison& comparison) const {
-    fmt::print("{}", format_comparison(comparison, parse_comparison_format(format), {all, table_columns()}));
+    print_results(format_comparison(comparison, parse_comparison_format(format), {all, table_columns()}));
     return exit_code_of(comparison);
 }
 
 ExitCode exit_code_of(const Comparison& comparison) {
     const ComparisonCounts counts = count(comparison);
     ExitCode code = ExitCode::done;
-    if (counts.undecided > 0) code = graver(code, ExitCode::undecided);
+    if (counts.undecided > 0 || comparison.cells.empty()) code = graver(code, ExitCode::undecided);
     if (counts.slower > 0 || counts.worse > 0) code = graver(code, ExitCode::regression);
     if (counts.failed_now > 0) code = graver(code, ExitCode::cells_failed);
     return code;

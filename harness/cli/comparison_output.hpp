@@ -25,7 +25,8 @@ struct ComparisonOutput {
     ExitCode print(const Comparison& comparison) const;
 };
 
-/// A slower cell or a worse quality is a regression; a cell that failed now weighs more, an undecided one less.
+/// A slower cell or a worse quality is a regression; a cell that failed now weighs more, an undecided one less. Where
+/// nothing could be compared, nothing is decided.
 ExitCode exit_code_of(const Comparison& comparison);
 
 }  // namespace reliefbench

@@ -1,12 +1,11 @@
 #include "cli/command.hpp"
 #include "cli/export_target.hpp"
+#include "cli/results.hpp"
 #include "core/file.hpp"
 #include "core/suggest.hpp"
 #include "report/export.hpp"
 
 #include <CLI/CLI.hpp>
-
-#include <fmt/format.h>
 
 #include <memory>
 
@@ -24,7 +23,7 @@ ExitCode export_stored(const ExportOptions& options) {
     if (!options.output.empty()) check_export_file(options.output, "--output");
     const std::string text = export_run(options.run, parse_export_format(options.format));
     if (options.output.empty()) {
-        fmt::print("{}", text);
+        print_results(text);
     } else {
         write_text_file(options.output, text);
     }

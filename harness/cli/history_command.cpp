@@ -1,4 +1,5 @@
 #include "cli/command.hpp"
+#include "cli/results.hpp"
 #include "cli/shared_options.hpp"
 #include "cli/stored_runs.hpp"
 #include "cli/terminal.hpp"
@@ -76,7 +77,7 @@ ExitCode show_history(const HistoryCommandOptions& options) {
         log_warning("{} runs are too few for change points: at least three stand before one and three after it",
                     runs.size());
     }
-    fmt::print("{}", format_history(make_history(runs, history_options), format, table_columns()));
+    print_results(format_history(make_history(runs, history_options), format, table_columns()));
     return ExitCode::done;
 }
 
@@ -86,7 +87,7 @@ void add_history_command(CLI::App& app, ChosenCommand& chosen) {
     const auto options = std::make_shared<HistoryCommandOptions>();
     CLI::App* command =
         app.add_subcommand("history", "The times of a series of runs, with the points where they changed");
-    command->add_option("runs", options->folders, "Folders of runs, the oldest first")->required()->type_name("RUN...");
+    command->add_option("runs", options->folders, "Folders of runs, the oldest first")->required()->type_name("RUN");
     add_repeated_option(*command, "--cell", options->cells,
                         "Only cells whose id contains this (may be repeated; any may match)")
         ->type_name("TEXT");

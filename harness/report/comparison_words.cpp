@@ -143,12 +143,8 @@ std::string more_text(const RatioEstimate& estimate) {
 }
 
 std::string reason_beyond_figures(const CellComparison& cell, const Comparison& comparison) {
-    constexpr std::string_view separator = "; ";
-    std::string_view reason = cell.reason;
-    const std::string figures = describe(cell.time, cell.verdict, comparison.unit);
-    if (reason.starts_with(figures)) reason.remove_prefix(figures.size());
-    if (reason.starts_with(separator)) reason.remove_prefix(separator.size());
-    return std::string(reason);
+    const std::string figures = describe(cell.time, cell.verdict, comparison.unit) + "; ";
+    return cell.reason.starts_with(figures) ? cell.reason.substr(figures.size()) : "";
 }
 
 std::string quality_change_text(const QualityChange& change) {

@@ -46,7 +46,7 @@ std::string percent_text(double fraction);
 /// "9", or "-" where no reasonable number would decide.
 std::string more_text(const RatioEstimate& estimate);
 
-/// What the reason says beyond the figures of the verdict; "" when nothing.
+/// What the reason adds to the verdict in words (describe); "" when nothing, or when it has words of its own.
 std::string reason_beyond_figures(const CellComparison& cell, const Comparison& comparison);
 
 /// "error.uv_texels.p99 0.750 → 0.810"; "-" where a side has none.

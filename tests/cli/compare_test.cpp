@@ -86,6 +86,14 @@ TEST_F(Compare, ACellThatFailedNowWeighsMoreThanASlowerOne) {
                 AllOf(HasSubstr("slower, 1 cell"), HasSubstr("failed now, 1 cell"), HasSubstr("trace.glsl:3")));
 }
 
+TEST_F(Compare, NothingToCompareDecidesNothing) {
+    store_run(path("base"), {{pom, 1}});
+    store_run(path("new"), {{steep, 1}});
+    const Outcome outcome = reliefbench({"compare", "base", "new"});
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_THAT(outcome.out, AllOf(HasSubstr("only in the base"), HasSubstr("0 cells compared; 2 not compared")));
+}
+
 TEST_F(Compare, OptionsMayStandAnywhere) {
     store("base", {{pom, 1}}, 2);
     store("new", {{pom, 4}}, 2);
