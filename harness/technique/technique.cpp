@@ -36,10 +36,10 @@ fs::path shaders_in(const fs::path& folder) {
 
 fs::path data_folder() {
     if (const char* folder = std::getenv("RELIEFBENCH_DATA_DIR")) return folder;
-    std::error_code unknown;
-    const fs::path beside_binary = fs::read_symlink("/proc/self/exe", unknown).parent_path();
-    for (const fs::path& folder : {beside_binary, beside_binary.parent_path()}) {
-        if (!unknown && fs::is_directory(shaders_in(folder), unknown)) return folder;
+    std::error_code ignored;
+    const fs::path binary_folder = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+    for (const fs::path& folder : {binary_folder, binary_folder.parent_path()}) {
+        if (!folder.empty() && fs::is_directory(shaders_in(folder), ignored)) return folder;
     }
     return RELIEFBENCH_SOURCE_DIR;
 }
