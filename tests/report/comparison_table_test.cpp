@@ -115,9 +115,8 @@ TEST(ComparisonTable, WhatNoEvidenceTellsIsADash) {
     comparison.cells = {compared("a | v", Verdict::undecided, 1.5, {0, std::numeric_limits<double>::infinity()})};
     comparison.cells[0].time.visible = std::numeric_limits<double>::infinity();
     comparison.cells[0].time.more.reset();
-    EXPECT_THAT(format_comparison_table(comparison),
-                HasSubstr("  change  95 %  visible  quality  more runs  cell\n"
-                          "   +50 %     -        -     same          -  a | v\n"));
+    EXPECT_THAT(format_comparison_table(comparison), HasSubstr("  change  95 %  visible  quality  more runs  cell\n"
+                                                               "   +50 %     -        -     same          -  a | v\n"));
 }
 
 TEST(ComparisonTable, NothingComparedIsSaid) {

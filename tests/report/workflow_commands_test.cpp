@@ -21,8 +21,9 @@ TEST(WorkflowCommands, EscapeWhatEndsThem) {
 }
 
 TEST(WorkflowCommands, OneForEachVerdictThatMattersAndASummary) {
-    EXPECT_EQ(format_workflow_commands(sample_comparison()),
-              R"(::error title=slower +150 %25::steep | view_angle=0%0Aslower by 150 %25 (95 %25: 125 to 175 %25), 5 runs a side
+    EXPECT_EQ(
+        format_workflow_commands(sample_comparison()),
+        R"(::error title=slower +150 %25::steep | view_angle=0%0Aslower by 150 %25 (95 %25: 125 to 175 %25), 5 runs a side
 ::error title=slower +7.2 %25::steep | view_angle=60%0Aslower by 7.2 %25 (95 %25: 5.1 to 9.4 %25), 5 runs a side
 ::error title=worse quality::pom | view_angle=60%0Aerror.uv_texels.p99 0.750 → 0.810, error.missed 0.0200 → 0.0100, image.psnr - → 40.0
 ::error title=failed now::mine | view_angle=60%0Aok in the base, failed now: trace.glsl:3: error
