@@ -5,12 +5,7 @@
 
 const int max_lights = 3;
 
-// A uniform block, unless the harness says otherwise for the device (scene_block in harness/technique/program.hpp).
-#ifndef RELIEFBENCH_SCENE_BLOCK
-#define RELIEFBENCH_SCENE_BLOCK uniform
-#endif
-
-layout(set = 0, binding = 0, std140) RELIEFBENCH_SCENE_BLOCK Scene {
+struct SceneValues {
     mat4 clip_from_world;
     vec3 eye;
     float height_scale;
@@ -32,8 +27,20 @@ layout(set = 0, binding = 0, std140) RELIEFBENCH_SCENE_BLOCK Scene {
     ivec2 patches_per_side;
     ivec2 first_patch;  // may be negative where the relief repeats past the unit square
     ivec2 patch_count;
+};
+
+layout(set = 0, binding = 0, std140) uniform Scene {
+    int index;  // always 0
+    SceneValues values[1];
 }
-scene;
+scene_block;
+
+// Through the index where the harness says so (indexes_scene in harness/technique/program.hpp).
+#ifdef RELIEFBENCH_INDEXED_SCENE
+#define scene scene_block.values[scene_block.index]
+#else
+#define scene scene_block.values[0]
+#endif
 
 layout(constant_id = 0) const bool srgb_target = false;
 layout(constant_id = 1) const bool lighting_enabled = true;

@@ -87,15 +87,15 @@ std::vector<StageFile> stage_files(Shape::Kind shape) {
 
 }  // namespace
 
-SceneBlock scene_block(const gpu::Device& device) {
-    return device.info().type == gpu::DeviceType::cpu ? SceneBlock::storage : SceneBlock::uniform;
+bool indexes_scene(const gpu::Device& device) {
+    return device.info().type == gpu::DeviceType::cpu;
 }
 
 std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Technique& technique, Variant variant) {
     const Manifest& manifest = technique.manifest;
     const bool probed = variant == Variant::probed;
     std::string preamble = probed ? "#define RELIEFBENCH_PROBED 1\n" : "";
-    if (scene_block(device) == SceneBlock::storage) preamble += "#define RELIEFBENCH_SCENE_BLOCK readonly buffer\n";
+    if (indexes_scene(device)) preamble += "#define RELIEFBENCH_INDEXED_SCENE 1\n";
     preamble += declare_parameters(manifest);
     for (std::size_t i = 0; i < manifest.maps.size(); ++i)
         preamble += declare_map(manifest.maps[i], i);

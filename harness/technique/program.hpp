@@ -30,13 +30,10 @@ inline constexpr std::uint32_t relief_repeats = 2;
 inline constexpr std::uint32_t first_parameter = 16;
 }  // namespace constant
 
-/// How shaders read scene.glsl's block.
-enum class SceneBlock { uniform, storage };
-
-/// A uniform block as an engine would have it, but a read-only storage block on a CPU device: at every draw lavapipe
-/// (Mesa 22.3) writes the values of a uniform block that conditions depend on into a copy of the shader and compiles
+/// Whether shaders read scene.glsl's values through an index that no compiler knows to be 0: on a CPU device. lavapipe
+/// (Mesa 22.3) otherwise writes those that conditions depend on into a copy of the shader at every draw and compiles
 /// that, within the timestamps (3 ms and more a draw), and keeps it until the pipeline is gone (1 MB a submission).
-SceneBlock scene_block(const gpu::Device& device);
+bool indexes_scene(const gpu::Device& device);
 
 /// The two compilations of a technique's draw.
 enum class Variant { timed, probed };

@@ -42,9 +42,9 @@ SceneUniforms uniforms_of(const Technique& technique, const ParameterValues& par
 }
 
 gpu::Buffer upload_uniforms(const gpu::Device& device, const SceneUniforms& uniforms) {
-    return gpu::make_filled_buffer(device,
-                                   vk::BufferUsageFlagBits::eUniformBuffer | vk::BufferUsageFlagBits::eStorageBuffer,
-                                   std::as_bytes(std::span(&uniforms, 1)));
+    const SceneBlock block{.index = 0, .padding = {}, .values = uniforms};
+    return gpu::make_filled_buffer(device, vk::BufferUsageFlagBits::eUniformBuffer,
+                                   std::as_bytes(std::span(&block, 1)));
 }
 
 /// The commands that time a draw.
@@ -125,9 +125,7 @@ DrawSetup Renderer::State::make_setup(const ParameterValues& parameters, const S
     result.constants[constant::lighting_enabled] = lighting.enabled ? 1 : 0;
     result.constants[constant::relief_repeats] = view.relief.boundary == Boundary::repeat ? 1 : 0;
     result.bindings = scene.textures().all_bindings();
-    result.bindings.push_back(scene_block(device) == SceneBlock::storage
-                                  ? gpu::storage_buffer(binding::scene, uniforms.buffer)
-                                  : gpu::uniform_buffer(binding::scene, uniforms.buffer));
+    result.bindings.push_back(gpu::uniform_buffer(binding::scene, uniforms.buffer));
     for (const gpu::Binding& map : maps.draw_bindings())
         result.bindings.push_back(map);
     result.patches = technique.manifest.shape.kind == Shape::Kind::patches;

@@ -16,7 +16,7 @@ namespace reliefbench {
 
 inline constexpr std::size_t max_lights = 3;
 
-/// The uniform block of harness/shaders/scene.glsl, std140.
+/// SceneValues of harness/shaders/scene.glsl, std140.
 struct SceneUniforms {
     glm::mat4 clip_from_world;
     glm::vec3 eye;
@@ -45,6 +45,14 @@ static_assert(offsetof(SceneUniforms, light_direction) == 128);
 static_assert(offsetof(SceneUniforms, ambient) == 224);
 static_assert(offsetof(SceneUniforms, resolution) == 272);
 static_assert(sizeof(SceneUniforms) == 304);
+
+/// The uniform block of harness/shaders/scene.glsl, std140.
+struct SceneBlock {
+    std::int32_t index;
+    std::array<std::int32_t, 3> padding;
+    SceneUniforms values;
+};
+static_assert(offsetof(SceneBlock, values) == 16);
 
 /// A grid of patches over at least the part of the plane that is seen, in whole patches from the corner of the unit
 /// square.
