@@ -6,19 +6,25 @@
 #include "cli/shared_options.hpp"
 #include "cli/threshold.hpp"
 #include "cli/variant_comparison.hpp"
+#include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/scratch_folder.hpp"
 #include "core/suggest.hpp"
 #include "measure/run_record.hpp"
 #include "measure/shared_inputs.hpp"
 #include "measure/variants.hpp"
+#include "report/comparison_format.hpp"
+#include "store/line_file.hpp"
 #include "technique/baseline_sources.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 
 namespace reliefbench {
@@ -30,6 +36,7 @@ struct AbOptions {
     std::string baseline;
     std::string threshold = "1%";
     std::string budget = "5m";
+    std::string output_folder;
     std::vector<std::string> axes;
     std::vector<std::string> filters;
     TechniqueOptions library;
@@ -73,6 +80,28 @@ Json side_record(const std::string& sources, const TechniqueLibrary& library) {
     return {{"sources", sources}, {"techniques", std::move(hashes)}};
 }
 
+std::filesystem::path make_output_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) fail("cannot make the folder {}: {}", folder.string(), error.message());
+    return folder;
+}
+
+/// Appends every visit to the file, if there is one.
+std::function<void(const VariantVisit&)> keep_visits(std::optional<LineFile>& file) {
+    if (!file) return {};
+    return [&file](const VariantVisit& visited) {
+        Json line;
+        line["cell"] = visited.cell;
+        line["round"] = visited.visit.round;
+        line["first"] = visited.visit.base_first ? "base" : "new";
+        line["repeats"] = visited.repeats;
+        line["base_ms"] = visited.visit.base_ms;
+        line["new_ms"] = visited.visit.changed_ms;
+        file->append(line.dump());
+    };
+}
+
 ExitCode compare_live(const AbOptions& options) {
     const double threshold = parse_threshold(options.threshold, "--threshold");
     VariantSettings settings;
@@ -85,6 +114,9 @@ ExitCode compare_live(const AbOptions& options) {
     const TechniqueSources baseline = find_baseline(options.baseline, own, scratch.path());
     const TechniqueLibrary base = find_techniques(baseline.roots, baseline.shaders);
 
+    std::optional<LineFile> evidence;
+    if (!options.output_folder.empty()) evidence.emplace(make_output_folder(options.output_folder) / "pairs.jsonl");
+
     const std::vector<HeightMapRecord> maps = inspect_height_maps(sources.cells);
     const gpu::Device device(options.device.options);
     const Json record = make_run_record({sources.configuration, sources.library, sources.cells, maps, device});
@@ -93,8 +125,9 @@ ExitCode compare_live(const AbOptions& options) {
     {
         ProgressPrinter printer;
         outcome = measure_variants(device, {base, sources.library}, sources.configuration, sources.cells, settings,
-                                   decided_at_looks(threshold, sources.cells.size()),
-                                   [&printer](const Progress& progress) { printer(progress); });
+                                   {.is_decided = decided_at_looks(threshold, sources.cells.size()),
+                                    .on_progress = [&printer](const Progress& progress) { printer(progress); },
+                                    .on_visit = keep_visits(evidence)});
     }
     Comparison comparison = compare_variants(outcome, threshold);
     comparison.notices = notices_on(base, sources.library, outcome, baseline);
@@ -107,6 +140,10 @@ ExitCode compare_live(const AbOptions& options) {
                                           {"samples_per_visit", settings.samples_per_visit},
                                           {"minimum_pass_ms", settings.minimum_pass_ms},
                                           {"seed", settings.seed}};
+    if (evidence) {
+        write_text_file(std::filesystem::path(options.output_folder) / "comparison.json",
+                        format_comparison(comparison, ComparisonFormat::json));
+    }
     const ExitCode code = options.output.print(comparison);
     return graver(code, check_validation(device));
 }
@@ -136,6 +173,10 @@ void add_ab_command(CLI::App& app, ChosenCommand& chosen) {
         ->type_name("NAME=VALUES");
     add_repeated_option(*command, "--filter", options->filters, "Keep only cells that fulfil this (may be repeated)")
         ->type_name("EXPR");
+    command
+        ->add_option("-o,--output", options->output_folder,
+                     "Folder to keep the comparison (comparison.json) and every raw sample (pairs.jsonl) in")
+        ->type_name("DIR");
     options->library.add_to(*command);
     options->device.add_to(*command);
     options->output.add_to(*command);

@@ -210,7 +210,7 @@ ExitCode selfcheck(SelfcheckOptions options) {
         const auto never_decided = [](const LogRatios&) { return false; };
         const VariantOutcome outcome =
             measure_variants(device, {sources.library, sources.library}, sources.configuration, sources.cells, settings,
-                             never_decided, [&](const Progress& progress) { printer(progress); });
+                             {never_decided, [&](const Progress& progress) { printer(progress); }, {}});
         comparison = compare_variants(outcome, threshold_within);
         code = check_validation(device);
     }

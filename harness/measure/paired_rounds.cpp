@@ -15,8 +15,9 @@ namespace {
 
 constexpr double undisturbed_quantile = 0.25;
 
-double visit_ms(Subject& subject, int samples) {
-    const double milliseconds = quantile(subject.visit(samples).at(draw_pass), undisturbed_quantile);
+/// What a visit's samples count for.
+double undisturbed_ms(const std::vector<double>& samples) {
+    const double milliseconds = quantile(samples, undisturbed_quantile);
     if (!(milliseconds > 0)) fail("the device's clock does not see the draw: it took {} ms", milliseconds);
     return milliseconds;
 }
@@ -70,13 +71,13 @@ private:
         LogRatios& log_ratios = log_ratios_[pair];
         const bool odd_round = log_ratios.size() % 2 == 1;
         base_first_[pair] = odd_round ? !base_first_[pair] : random_.below(2) == 0;
-        const SubjectPair& subjects = pairs_[pair];
-        Subject& first = base_first_[pair] ? *subjects.base : *subjects.changed;
-        Subject& second = base_first_[pair] ? *subjects.changed : *subjects.base;
-        const double first_ms = visit_ms(first, sampling_.samples_per_visit);
-        const double second_ms = visit_ms(second, sampling_.samples_per_visit);
-        const double log_ratio = std::log(second_ms / first_ms);
-        log_ratios.push_back(base_first_[pair] ? log_ratio : -log_ratio);
+        PairVisit visit{pair, log_ratios.size(), base_first_[pair], {}, {}};
+        const auto sample = [&](Subject& subject) { return subject.visit(sampling_.samples_per_visit).at(draw_pass); };
+        if (visit.base_first) visit.base_ms = sample(*pairs_[pair].base);
+        visit.changed_ms = sample(*pairs_[pair].changed);
+        if (!visit.base_first) visit.base_ms = sample(*pairs_[pair].base);
+        log_ratios.push_back(std::log(undisturbed_ms(visit.changed_ms) / undisturbed_ms(visit.base_ms)));
+        if (callbacks_.on_visit) callbacks_.on_visit(visit);
     }
 
     const std::vector<SubjectPair>& pairs_;

@@ -31,12 +31,23 @@ struct PairSampling {
 /// Asked after each round; true when the pair needs no more of them.
 using PairIsDecided = std::function<bool(std::size_t pair, const LogRatios& log_ratios)>;
 
+/// One visit of both sides of a pair, as it was timed: milliseconds of one draw each.
+struct PairVisit {
+    std::size_t pair = 0;
+    std::size_t round = 0;
+    bool base_first = true;
+    std::vector<double> base_ms;
+    std::vector<double> changed_ms;
+};
+
 struct PairCallbacks {
     PairIsDecided is_decided;
     /// A side of the pair threw Error; it is visited no more.
     std::function<void(std::size_t pair, const std::string& reason)> on_failure;
     /// After each round, with the number of pairs that are still visited. May be empty.
     std::function<void(std::size_t undecided)> on_round;
+    /// For keeping raw samples. May be empty.
+    std::function<void(const PairVisit& visit)> on_visit;
 };
 
 /// Warms everything up, then visits all undecided pairs in rounds: pairs in random order, both sides of a pair one

@@ -26,41 +26,40 @@ const Technique* find_technique(const TechniqueLibrary& library, const std::stri
     return found == library.techniques.end() ? nullptr : &*found;
 }
 
-/// The draw of one side. Both sides of a pair put as many draws into one timestamp pair.
+/// The draw of one side. Both sides of a pair share `repeats`, the draws inside one timestamp pair.
 class VariantSubject : public Subject {
 public:
-    VariantSubject(Renderer& renderer, const SamplingSettings& sampling, std::shared_ptr<int> repeats)
-        : renderer_(renderer), sampling_(sampling), repeats_(std::move(repeats)) {}
+    VariantSubject(Renderer& renderer, const SamplingSettings& sampling, int& repeats)
+        : renderer_(renderer), sampling_(sampling), repeats_(repeats) {}
 
     void warm_up() override {
         DrawSubject draw([this](int samples, int repeats) { return renderer_.time_draw(samples, repeats); }, sampling_);
         draw.warm_up();
-        *repeats_ = std::max(*repeats_, draw.repeats());
+        repeats_ = std::max(repeats_, draw.repeats());
     }
 
     std::map<std::string, std::vector<double>> visit(int count) override {
-        return {{draw_pass, renderer_.time_draw(count, *repeats_)}};
+        return {{draw_pass, renderer_.time_draw(count, repeats_)}};
     }
 
 private:
     Renderer& renderer_;
     const SamplingSettings& sampling_;
-    std::shared_ptr<int> repeats_;
+    int& repeats_;
 };
 
 /// One execution of measure_variants.
 class VariantExecution {
 public:
     VariantExecution(const gpu::Device& device, const Variants& variants, const Configuration& configuration,
-                     const std::vector<Cell>& cells, const VariantSettings& settings, const CellIsDecided& is_decided,
-                     const std::function<void(const Progress&)>& on_progress, const Clock& clock)
+                     const std::vector<Cell>& cells, const VariantSettings& settings, const VariantCallbacks& callbacks,
+                     const Clock& clock)
         : device_(device),
           variants_(variants),
           configuration_(configuration),
           cells_(cells),
           settings_(settings),
-          is_decided_(is_decided),
-          on_progress_(on_progress),
+          callbacks_(callbacks),
           clock_(clock),
           start_s_(clock.seconds()),
           inputs_(device, configuration.lighting, configuration.truth) {
@@ -153,22 +152,28 @@ private:
     void sample(std::vector<ReadyPair>& ready, double budget_s, std::uint64_t seed) {
         std::vector<std::unique_ptr<VariantSubject>> subjects;
         std::vector<SubjectPair> pairs;
-        for (ReadyPair& pair : ready) {
-            const auto repeats = std::make_shared<int>(1);
+        std::vector<int> repeats(ready.size(), 1);
+        for (std::size_t pair = 0; pair < ready.size(); ++pair) {
             const auto add = [&](PreparedCell& side) {
-                subjects.push_back(std::make_unique<VariantSubject>(side.renderer, configuration_.sampling, repeats));
+                subjects.push_back(
+                    std::make_unique<VariantSubject>(side.renderer, configuration_.sampling, repeats[pair]));
                 return subjects.back().get();
             };
-            Subject* const base = add(pair.base);
-            pairs.push_back({base, add(pair.changed)});
+            Subject* const base = add(ready[pair].base);
+            pairs.push_back({base, add(ready[pair].changed)});
         }
         std::vector<std::string> failures(ready.size());
         const PairCallbacks callbacks{
-            .is_decided = [&](std::size_t, const LogRatios& log_ratios) { return is_decided_(log_ratios); },
+            .is_decided = [&](std::size_t, const LogRatios& log_ratios) { return callbacks_.is_decided(log_ratios); },
             .on_failure = [&](std::size_t pair, const std::string& reason) { failures[pair] = reason; },
             .on_round =
                 [&](std::size_t undecided) {
                     report(fmt::format("{} of {} cells of this block decided", ready.size() - undecided, ready.size()));
+                },
+            .on_visit =
+                [&](const PairVisit& visit) {
+                    if (!callbacks_.on_visit) return;
+                    callbacks_.on_visit({ready[visit.pair].changed.result.cell, repeats[visit.pair], visit});
                 }};
         std::vector<LogRatios> log_ratios =
             sample_pairs(pairs, {settings_.samples_per_visit, budget_s, seed}, callbacks, clock_);
@@ -184,13 +189,13 @@ private:
     }
 
     void report(const std::string& current) const {
-        if (!on_progress_) return;
+        if (!callbacks_.on_progress) return;
         Progress progress;
         progress.cells_done = cells_done_;
         progress.cells_total = cells_.size();
         progress.current = current;
         progress.elapsed_s = clock_.seconds() - start_s_;
-        on_progress_(progress);
+        callbacks_.on_progress(progress);
     }
 
     const gpu::Device& device_;
@@ -198,8 +203,7 @@ private:
     Configuration configuration_;
     const std::vector<Cell>& cells_;
     const VariantSettings& settings_;
-    const CellIsDecided& is_decided_;
-    const std::function<void(const Progress&)>& on_progress_;
+    const VariantCallbacks& callbacks_;
     const Clock& clock_;
     double start_s_;
     SharedInputs inputs_;
@@ -248,9 +252,8 @@ Cell baseline_cell(const Cell& cell, const Manifest& base) {
 
 VariantOutcome measure_variants(const gpu::Device& device, const Variants& variants, const Configuration& configuration,
                                 const std::vector<Cell>& cells, const VariantSettings& settings,
-                                const CellIsDecided& is_decided,
-                                const std::function<void(const Progress&)>& on_progress, const Clock& clock) {
-    return VariantExecution(device, variants, configuration, cells, settings, is_decided, on_progress, clock).run();
+                                const VariantCallbacks& callbacks, const Clock& clock) {
+    return VariantExecution(device, variants, configuration, cells, settings, callbacks, clock).run();
 }
 
 }  // namespace reliefbench

@@ -58,6 +58,21 @@ struct VariantOutcome {
 /// True when the log ratios of a cell need no more rounds; asked after each.
 using CellIsDecided = std::function<bool(const LogRatios& log_ratios)>;
 
+/// One visit of both sides of a cell, as it was timed.
+struct VariantVisit {
+    const std::string& cell;
+    /// Draws inside one timestamp pair.
+    int repeats = 1;
+    const PairVisit& visit;
+};
+
+struct VariantCallbacks {
+    CellIsDecided is_decided;
+    /// May be empty.
+    std::function<void(const Progress&)> on_progress;
+    std::function<void(const VariantVisit&)> on_visit;
+};
+
 /// Why the baseline has no such cell; empty when it has the same one: its technique takes the same parameters, and
 /// under its defaults the cell would have the same id.
 std::string missing_in_baseline(const Cell& cell, const TechniqueLibrary& base, const TechniqueLibrary& changed);
@@ -70,8 +85,6 @@ Cell baseline_cell(const Cell& cell, const Manifest& base);
 /// the next block with what is left of the budget.
 VariantOutcome measure_variants(const gpu::Device& device, const Variants& variants, const Configuration& configuration,
                                 const std::vector<Cell>& cells, const VariantSettings& settings,
-                                const CellIsDecided& is_decided,
-                                const std::function<void(const Progress&)>& on_progress,
-                                const Clock& clock = steady_clock());
+                                const VariantCallbacks& callbacks, const Clock& clock = steady_clock());
 
 }  // namespace reliefbench

@@ -94,6 +94,20 @@ TEST_F(Ab, IdenticalShadersAreNeverSlowerOrFaster) {
     EXPECT_THAT(outcome.out, HasSubstr("the sources are the same on both sides: mine"));
 }
 
+TEST_F(Ab, TheComparisonAndEveryRawSampleAreKeptWhereAsked) {
+    const Outcome outcome = ab({"--budget", "1s", "-o", path("kept/here")});
+    EXPECT_EQ(read_file(path("kept/here/comparison.json")), outcome.out);
+    const std::vector<Json> visits = read_lines(path("kept/here/pairs.jsonl"));
+    const Json cell = Json::parse(outcome.out).at("cells")[0];
+    ASSERT_EQ(visits.size(), cell.at("units").get<std::size_t>());
+    for (std::size_t round = 0; round < visits.size(); ++round) {
+        EXPECT_EQ(visits[round].at("cell"), cell.at("cell"));
+        EXPECT_EQ(visits[round].at("round"), round);
+        EXPECT_EQ(visits[round].at("base_ms").size(), visits[round].at("new_ms").size());
+    }
+    EXPECT_EQ(ab({"--budget", "1s", "-o", path("kept/here")}).code, 2) << "earlier samples would be overwritten";
+}
+
 TEST_F(Ab, AnErrorThatGrewIsAWorseQuality) {
     write_trace("base", 1, "32");
     write_trace("techniques", 1, "8");

@@ -79,7 +79,8 @@ protected:
         return sample_pairs(pairs_, sampling,
                             {std::move(is_decided),
                              [this](std::size_t pair, const std::string& reason) { failures_[pair] = reason; },
-                             {}},
+                             {},
+                             [this](const PairVisit& visit) { visits_.push_back(visit); }},
                             clock_);
     }
 
@@ -88,6 +89,7 @@ protected:
     std::vector<std::unique_ptr<FakeSubject>> subjects_;
     std::vector<SubjectPair> pairs_;
     std::map<std::size_t, std::string> failures_;
+    std::vector<PairVisit> visits_;
 };
 
 std::string lower(std::string text) {
@@ -108,6 +110,18 @@ TEST_F(PairedRounds, TheRatioIsChangedToBaseWhicheverCameFirst) {
 TEST_F(PairedRounds, TheLowerQuartileOfAVisitCounts) {
     add({9, 1, 2, 50, 70}, {70, 4, 1, 9, 50});
     EXPECT_THAT(sample_rounds(1, 5).at(0), ElementsAre(testing::DoubleEq(std::log(4.0 / 2))));
+}
+
+TEST_F(PairedRounds, EachVisitIsToldWithAllItsSamples) {
+    add({2, 3}, {5, 7});
+    sample_rounds(3, 2);
+    ASSERT_EQ(visits_.size(), 3U);
+    for (std::size_t round = 0; round < 3; ++round) {
+        EXPECT_EQ(visits_[round].round, round);
+        EXPECT_EQ(visits_[round].base_first, log_[2 * round] == "a");
+        EXPECT_THAT(visits_[round].base_ms, ElementsAre(2, 3));
+        EXPECT_THAT(visits_[round].changed_ms, ElementsAre(5, 7));
+    }
 }
 
 TEST_F(PairedRounds, BothSidesAreVisitedOneDirectlyAfterTheOther) {
