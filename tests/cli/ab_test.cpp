@@ -128,7 +128,7 @@ TEST_F(Ab, EachSideIsCompiledWithItsOwnSharedShaders) {
     const Outcome outcome = ab({"--baseline", path("old"), "--budget", "1s"});
     EXPECT_THAT(outcome.out, AllOf(HasSubstr("shared shaders (harness/shaders) differ"), HasSubstr("march.glsl"),
                                    HasSubstr("baseline: technique 'mine'")));
-    EXPECT_EQ(outcome.code, 0) << "a baseline that does not compile is no failure of the new side";
+    EXPECT_EQ(outcome.code, 3) << "a baseline that does not compile is no failure of the new side";
 }
 
 TEST_F(Ab, AShaderThatNoLongerCompilesFailedNow) {
@@ -141,7 +141,7 @@ TEST_F(Ab, AShaderThatNoLongerCompilesFailedNow) {
 TEST_F(Ab, WhatTheBaselineDoesNotHaveIsToldAndNotCompared) {
     std::filesystem::rename(path("base/mine"), path("base/other"));
     const Outcome outcome = ab({"--budget", "1s"});
-    EXPECT_EQ(outcome.code, 0) << outcome.out;
+    EXPECT_EQ(outcome.code, 3) << "nothing compared decides nothing: " << outcome.out;
     const Json json = Json::parse(outcome.out);
     EXPECT_THAT(json.at("cells"), IsEmpty());
     EXPECT_THAT(json.at("uncompared")[0].dump(), HasSubstr("the baseline has no such technique"));
