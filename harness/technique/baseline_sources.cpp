@@ -163,13 +163,22 @@ std::vector<std::string> shader_interface(const fs::path& shaders) {
     static const std::regex comment("//[^\n]*");
     static const std::regex declaration(
         R"(layout\s*\([^)]*\b(set|constant_id|push_constant)\b[^)]*\)[^;{]*(\{[^}]*\}[^;]*)?;)");
+    static const std::regex structure(R"(struct\s+(\w+)\s*\{[^}]*\}\s*;)");
     static const std::regex space("\\s+");
     std::vector<std::string> interface;
+    const auto add = [&](const std::string& text) { interface.push_back(std::regex_replace(text, space, " ")); };
     for (const fs::directory_entry& entry : fs::directory_iterator(shaders)) {
         if (!entry.is_regular_file()) continue;
         const std::string text = std::regex_replace(read_text_file(entry.path()), comment, "");
-        for (std::sregex_iterator found(text.begin(), text.end(), declaration), end; found != end; ++found)
-            interface.push_back(std::regex_replace(found->str(), space, " "));
+        std::string blocks;
+        for (std::sregex_iterator found(text.begin(), text.end(), declaration), end; found != end; ++found) {
+            add(found->str());
+            blocks += found->str();
+        }
+        // Blocks may hold structures.
+        for (std::sregex_iterator found(text.begin(), text.end(), structure), end; found != end; ++found) {
+            if (blocks.find((*found)[1]) != std::string::npos) add(found->str());
+        }
     }
     std::sort(interface.begin(), interface.end());
     return interface;
