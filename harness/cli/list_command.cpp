@@ -1,6 +1,7 @@
 #include "cli/command.hpp"
 #include "cli/shared_options.hpp"
 #include "core/suggest.hpp"
+#include "scene/image_file.hpp"
 #include "scene/procedural.hpp"
 
 #include <CLI/CLI.hpp>
@@ -65,7 +66,7 @@ ExitCode list_height_maps() {
     for (const ProceduralMap& map : procedural_maps()) {
         fmt::print("{:<12} {}\n", map.name, map.description);
     }
-    fmt::print("or the path of any image that OpenImageIO reads\n");
+    fmt::print("or the path of {}\n", readable_images());
     return ExitCode::done;
 }
 

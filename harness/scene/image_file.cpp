@@ -74,6 +74,10 @@ private:
 
 }  // namespace
 
+std::string readable_images() {
+    return "any image that OpenImageIO reads";
+}
+
 RasterFile read_raster_file(const std::filesystem::path& path) {
     std::error_code error;
     if (!std::filesystem::exists(path, error)) {

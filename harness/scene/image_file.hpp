@@ -24,6 +24,9 @@ struct RasterFile {
     int channels() const { return static_cast<int>(channel_names.size()); }
 };
 
+/// For help texts: "any image that OpenImageIO reads".
+std::string readable_images();
+
 /// An Error names the file and what is wrong with it: missing, unreadable, of no size.
 RasterFile read_raster_file(const std::filesystem::path& path);
 

@@ -4,6 +4,10 @@
 
 namespace reliefbench {
 
+std::string readable_images() {
+    return "a PNG, PFM, or binary PGM or PPM image";
+}
+
 RasterFile read_raster_file(const std::filesystem::path& path) {
     return read_plain_image(path);
 }
