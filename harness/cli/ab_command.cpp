@@ -72,12 +72,16 @@ std::vector<std::string> notices_on(const TechniqueLibrary& base, const Techniqu
     return notices;
 }
 
-Json side_record(const std::string& sources, const TechniqueLibrary& library) {
+/// As stored runs have it, with where the sources are from.
+Json side_record(const std::string& sources, const TechniqueLibrary& library, const Json& run_record) {
     Json hashes = Json::object();
     for (const Technique& technique : library.techniques) {
         hashes[technique.manifest.id] = technique.hash;
     }
-    return {{"sources", sources}, {"techniques", std::move(hashes)}};
+    return {{"sources", sources},
+            {"device", run_record.at("device")},
+            {"environment", run_record.at("environment")},
+            {"techniques", std::move(hashes)}};
 }
 
 std::filesystem::path make_output_folder(const std::filesystem::path& folder) {
@@ -131,10 +135,8 @@ ExitCode compare_live(const AbOptions& options) {
     }
     Comparison comparison = compare_variants(outcome, threshold);
     comparison.notices = notices_on(base, sources.library, outcome, baseline);
-    comparison.environment["device"] = record.at("device");
-    comparison.environment["environment"] = record.at("environment");
-    comparison.environment["base"] = side_record(baseline.description, base);
-    comparison.environment["new"] = side_record(own.description, sources.library);
+    comparison.environment["base"] = side_record(baseline.description, base, record);
+    comparison.environment["new"] = side_record(own.description, sources.library, record);
     comparison.environment["sampling"] = {{"budget_s", settings.budget_s},
                                           {"spent_s", outcome.sampling_s},
                                           {"samples_per_visit", settings.samples_per_visit},

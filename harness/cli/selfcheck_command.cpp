@@ -1,12 +1,14 @@
 #include "cli/command.hpp"
 #include "cli/duration.hpp"
 #include "cli/progress_printer.hpp"
+#include "cli/results.hpp"
 #include "cli/run_sources.hpp"
 #include "cli/shared_options.hpp"
 #include "cli/variant_comparison.hpp"
 #include "compare/between_runs.hpp"
 #include "compare/run_noise.hpp"
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/log.hpp"
 #include "core/process.hpp"
 #include "core/scratch_folder.hpp"
@@ -38,6 +40,8 @@ constexpr double threshold_within = 0.01;
 constexpr double threshold_between = 0.02;
 /// Of the budget, for what is seen within one process.
 constexpr double share_within = 0.3;
+/// Of a process's time, for sampling: the rest compiles, traces truths and warms up.
+constexpr double share_sampling = 0.6;
 /// Fewer say next to nothing about how far runs lie apart.
 constexpr int fewest_processes = 3;
 
@@ -51,25 +55,38 @@ struct SelfcheckOptions {
     DeviceChoice device;
 };
 
-/// The command line of a process that runs what is checked, into `folder`.
-std::vector<std::string> run_command_line(const SelfcheckOptions& options, const std::string& folder) {
-    std::vector<std::string> words{"/proc/self/exe", "run", options.configuration, "-o", folder};
+/// What each process runs: the same cells, in a time that lets all processes end within the budget.
+std::filesystem::path write_run_configuration(const SelfcheckOptions& options, const RunSources& sources,
+                                              double budget_s, const std::filesystem::path& folder) {
+    Json configuration = sources.configuration.expanded;
+    const auto cells = static_cast<double>(sources.cells.size());
+    const double share_s = share_sampling * budget_s / options.processes / cells;
+    configuration["sampling"]["budget_s"] = std::min(sources.configuration.sampling.budget_s, share_s);
+    const std::filesystem::path path = folder / "configuration.json";
+    write_text_file(path, configuration.dump());
+    return path;
+}
+
+/// The command line of a process that runs the configuration into `folder`.
+std::vector<std::string> run_command_line(const SelfcheckOptions& options, const std::string& configuration,
+                                          const std::string& folder) {
+    std::vector<std::string> words{"/proc/self/exe", "run", configuration, "-o", folder};
     const auto add = [&](const std::string& name, const std::vector<std::string>& values) {
         for (const std::string& value : values) {
             words.push_back(name);
             words.push_back(value);
         }
     };
-    add("-a", options.axes);
     add("--filter", options.filters);
     add("--techniques", options.library.directories);
     if (!options.device.options.choice.empty()) add("--device", {options.device.options.choice});
     return words;
 }
 
-/// One more process; its cells that have a time.
-Run run_once(const SelfcheckOptions& options, const std::filesystem::path& folder) {
-    const FinishedProcess finished = run_process(run_command_line(options, folder.string()));
+/// One more process.
+Run run_once(const SelfcheckOptions& options, const std::filesystem::path& configuration,
+             const std::filesystem::path& folder) {
+    const FinishedProcess finished = run_process(run_command_line(options, configuration.string(), folder.string()));
     const bool some_failed = finished.exit_code == static_cast<int>(ExitCode::cells_failed);
     if (finished.exit_code != 0 && !some_failed) {
         fail("a process of the self-check ended with exit code {}: {}", finished.exit_code, finished.errors);
@@ -89,19 +106,27 @@ void collect_medians(const Run& run, std::vector<NoiseRecord::Cell>& cells) {
 }
 
 /// As many processes as asked for, or as fit into the budget.
-int run_processes(const SelfcheckOptions& options, double budget_s, std::vector<NoiseRecord::Cell>& cells) {
+int run_processes(const SelfcheckOptions& options, const RunSources& sources, double budget_s,
+                  std::vector<NoiseRecord::Cell>& cells) {
     const Clock& clock = steady_clock();
     const double begin_s = clock.seconds();
     const ScratchFolder scratch;
+    const std::filesystem::path configuration = write_run_configuration(options, sources, budget_s, scratch.path());
     for (int done = 0; done < options.processes; ++done) {
         const double spent_s = clock.seconds() - begin_s;
         if (done >= fewest_processes && spent_s * (done + 1) / done > budget_s) return done;
         fmt::print(stderr, "process {} of {}\n", done + 1, options.processes);
         const std::filesystem::path folder = scratch.path() / fmt::format("run{}", done);
-        collect_medians(run_once(options, folder), cells);
+        collect_medians(run_once(options, configuration, folder), cells);
         std::filesystem::remove_all(folder);
     }
     return options.processes;
+}
+
+/// Above this it is no use to anybody by how much.
+std::string visible_text(double fraction) {
+    constexpr double most = 10;
+    return fraction > most ? fmt::format("over {:.0f} %", 100 * most) : percent_text(fraction);
 }
 
 /// The smallest change that shows between `runs` identical runs a side which scatter by `noise`.
@@ -124,14 +149,14 @@ double standard_deviation(const std::vector<double>& values) {
     return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
-void print_between_runs(const NoiseRecord& record, int processes) {
+std::string describe_between_runs(const NoiseRecord& record, int processes) {
     std::vector<double> deviations;
     for (const NoiseRecord::Cell& cell : record.cells) {
         if (cell.log_median_ms.size() >= 2) deviations.push_back(standard_deviation(cell.log_median_ms));
     }
-    fmt::print("between processes ({} of them): medians of identical runs scatter by {} (standard deviation)\n",
-               processes, percent_text(std::expm1(record.between_runs.log_sd)));
-    if (deviations.empty()) return;
+    std::string text =
+        fmt::format("between processes ({} of them): medians of identical runs scatter by {} (standard deviation)\n",
+                    processes, percent_text(std::expm1(record.between_runs.log_sd)));
     const auto with_deviation = [&](double log_sd) {
         RunNoise noise = record.between_runs;
         noise.log_sd = log_sd;
@@ -139,28 +164,30 @@ void print_between_runs(const NoiseRecord& record, int processes) {
     };
     const RunNoise middle = with_deviation(median(deviations));
     const RunNoise worst = with_deviation(*std::max_element(deviations.begin(), deviations.end()));
-    fmt::print("  smallest change that `compare` sees at a threshold of {}:\n", percent_text(threshold_between));
-    fmt::print("    runs a side   all cells  median cell   worst cell\n");
+    text +=
+        fmt::format("  smallest change that `compare` sees at a threshold of {}:\n", percent_text(threshold_between));
+    text += "    runs a side   all cells  median cell   worst cell\n";
     for (const int runs : {1, 3, 5, 10}) {
-        fmt::print("    {:11} {:>11} {:>12} {:>12}\n", runs,
-                   percent_text(visible_between_runs(runs, record.between_runs)),
-                   percent_text(visible_between_runs(runs, middle)), percent_text(visible_between_runs(runs, worst)));
+        text += fmt::format(
+            "    {:11} {:>11} {:>12} {:>12}\n", runs, visible_text(visible_between_runs(runs, record.between_runs)),
+            visible_text(visible_between_runs(runs, middle)), visible_text(visible_between_runs(runs, worst)));
     }
+    return text;
 }
 
-void print_within_process(const Comparison& comparison, double seconds) {
+std::string describe_within_process(const Comparison& comparison, double seconds) {
     std::vector<double> visible;
     std::vector<double> rounds;
     for (const CellComparison& cell : comparison.cells) {
         visible.push_back(cell.time.visible);
         rounds.push_back(static_cast<double>(cell.time.units));
     }
-    if (visible.empty()) return;
-    fmt::print(
-        "within one process ({:.0f} s for {}, {:.0f} rounds): smallest change that `ab` sees at a threshold of "
-        "{}: {} in the median cell, {} in the worst\n",
+    if (visible.empty()) return "within one process: no cell could be measured\n";
+    return fmt::format(
+        "within one process ({:.0f} s for {}, {:.0f} rounds): smallest change that `ab` sees at a threshold of {}: {} "
+        "in the median cell, {} in the worst\n",
         seconds, counted(visible.size(), "cell"), median(rounds), percent_text(threshold_within),
-        percent_text(median(visible)), percent_text(*std::max_element(visible.begin(), visible.end())));
+        visible_text(median(visible)), visible_text(*std::max_element(visible.begin(), visible.end())));
 }
 
 /// Identical code that was called slower or faster: the method does not hold on this machine.
@@ -192,8 +219,10 @@ ExitCode selfcheck(SelfcheckOptions options) {
     }
     if (options.configuration.empty()) options.configuration = (configuration_root() / "quick.json").string();
     const RunSources sources = read_run_sources(options.configuration, options.axes, options.filters, options.library);
+    // Before anything is measured, so that a machine without a place to keep it is told at once.
+    const std::filesystem::path folder = state_folder();
     NoiseRecord record;
-    record.configuration = options.configuration;
+    record.configuration = sources.configuration.name;
     Comparison comparison;
     VariantSettings settings;
     settings.budget_s = share_within * budget_s;
@@ -214,14 +243,16 @@ ExitCode selfcheck(SelfcheckOptions options) {
         comparison = compare_variants(outcome, threshold_within);
         code = check_validation(device);
     }
-    const int processes = run_processes(options, (1 - share_within) * budget_s, record.cells);
+    const int processes = run_processes(options, sources, (1 - share_within) * budget_s, record.cells);
     keep_visible(comparison, record.cells);
     record.between_runs = pool_noise(record.cells, record.time);
-    write_noise_record(state_folder(), record);
+    write_noise_record(folder, record);
 
-    print_within_process(comparison, settings.budget_s);
-    print_between_runs(record, processes);
-    fmt::print("kept for `reliefbench compare` in {}\n", state_folder().string());
+    print_results(describe_within_process(comparison, settings.budget_s) + describe_between_runs(record, processes) +
+                  fmt::format("kept for `reliefbench compare` in {}\n", folder.string()));
+    for (const UncomparedGroup& group : uncompared_by_reason(comparison)) {
+        log_warning("not measured within one process, {}: {}", counted(group.cells.size(), "cell"), group.reason);
+    }
     if (processes < options.processes) {
         log_warning("{} of {} processes fitted into --budget {}", processes, options.processes, options.budget);
     }

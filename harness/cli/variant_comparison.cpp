@@ -1,15 +1,13 @@
 #include "cli/variant_comparison.hpp"
 
+#include "compare/describe.hpp"
 #include "compare/look_schedule.hpp"
 #include "compare/paired_rounds.hpp"
 #include "compare/quality.hpp"
 #include "compare/verdict.hpp"
-#include "report/comparison_words.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 #include <vector>
 
 namespace reliefbench {
@@ -28,30 +26,6 @@ std::vector<RatioEstimate> estimate_all(const VariantOutcome& outcome, double th
             estimate_paired(pair.log_ratios, threshold, level_of_last_look(pair.log_ratios.size()), level));
     }
     return estimates;
-}
-
-std::string reason_of(const RatioEstimate& estimate, Verdict verdict, double threshold) {
-    const std::string limit = percent_text(threshold);
-    const std::string evidence =
-        fmt::format("{} rounds, 95 % interval {}", estimate.units, change_interval_text(estimate.ci95));
-    switch (verdict) {
-        case Verdict::same:
-            return fmt::format("{}: within the threshold of {}", evidence, limit);
-        case Verdict::slower:
-        case Verdict::faster:
-            return fmt::format("{}: beyond the threshold of {}", evidence, limit);
-        case Verdict::undecided:
-            break;
-    }
-    if (!std::isfinite(estimate.visible)) {
-        return fmt::format("{} rounds are too few to tell anything; give it a longer --budget", estimate.units);
-    }
-    const std::string more = estimate.more
-                                 ? fmt::format("about {} more rounds would decide: give it a longer --budget",
-                                               std::max<std::size_t>(*estimate.more, 1))
-                                 : "it lies at the threshold, so that no reasonable number of rounds would decide";
-    return fmt::format("{}: neither within the threshold of {} nor beyond it; a change of {} would have been seen; {}",
-                       evidence, limit, percent_text(estimate.visible), more);
 }
 
 }  // namespace
@@ -81,7 +55,7 @@ Comparison compare_variants(const VariantOutcome& outcome, double threshold) {
         cell.time = estimates[i];
         cell.verdict = verdicts[i];
         cell.quality = compare_quality(pair.base, pair.changed, QualityTolerance{});
-        cell.reason = reason_of(estimates[i], verdicts[i], threshold);
+        cell.reason = describe(estimates[i], verdicts[i], comparison.unit);
         comparison.cells.push_back(std::move(cell));
     }
     for (const UnmeasuredPair& pair : outcome.unmeasured) {

@@ -64,6 +64,9 @@ public:
           start_s_(clock.seconds()),
           inputs_(device, configuration.lighting, configuration.truth) {
         configuration_.sampling.minimum_pass_ms = settings.minimum_pass_ms;
+        // Of preparation passes, whose times are not compared.
+        configuration_.sampling.rounds = 1;
+        configuration_.sampling.samples_per_visit = 1;
     }
 
     VariantOutcome run() {
@@ -113,9 +116,7 @@ private:
                 ++cells_done_;
             }
         }
-        const double begin_s = clock_.seconds();
         sample(ready, budget_s, seed);
-        outcome_.sampling_s += clock_.seconds() - begin_s;
     }
 
     /// Empty when it cannot be measured, which is then recorded.
@@ -163,12 +164,14 @@ private:
             pairs.push_back({base, add(ready[pair].changed)});
         }
         std::vector<std::string> failures(ready.size());
+        const double begin_s = clock_.seconds();
         const PairCallbacks callbacks{
             .is_decided = [&](std::size_t, const LogRatios& log_ratios) { return callbacks_.is_decided(log_ratios); },
             .on_failure = [&](std::size_t pair, const std::string& reason) { failures[pair] = reason; },
             .on_round =
                 [&](std::size_t undecided) {
-                    report(fmt::format("{} of {} cells of this block decided", ready.size() - undecided, ready.size()));
+                    report(fmt::format("sampling, {} left", undecided), ready.size() - undecided,
+                           begin_s + settings_.budget_s - outcome_.sampling_s - clock_.seconds());
                 },
             .on_visit =
                 [&](const PairVisit& visit) {
@@ -177,6 +180,7 @@ private:
                 }};
         std::vector<LogRatios> log_ratios =
             sample_pairs(pairs, {settings_.samples_per_visit, budget_s, seed}, callbacks, clock_);
+        outcome_.sampling_s += clock_.seconds() - begin_s;
         for (std::size_t pair = 0; pair < ready.size(); ++pair) {
             ++cells_done_;
             if (failures[pair].empty()) {
@@ -188,13 +192,14 @@ private:
         }
     }
 
-    void report(const std::string& current) const {
+    void report(const std::string& current, std::size_t decided = 0, double remaining_s = -1) const {
         if (!callbacks_.on_progress) return;
         Progress progress;
-        progress.cells_done = cells_done_;
+        progress.cells_done = cells_done_ + decided;
         progress.cells_total = cells_.size();
         progress.current = current;
         progress.elapsed_s = clock_.seconds() - start_s_;
+        progress.remaining_s = remaining_s;
         callbacks_.on_progress(progress);
     }
 
