@@ -7,6 +7,7 @@
 #include "cli/variant_comparison.hpp"
 #include "compare/between_runs.hpp"
 #include "compare/run_noise.hpp"
+#include "compare/run_side.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/log.hpp"
@@ -101,7 +102,7 @@ void collect_medians(const Run& run, std::vector<NoiseRecord::Cell>& cells) {
         const auto same_cell = [&](const NoiseRecord::Cell& cell) { return cell.cell == result.cell; };
         auto found = std::find_if(cells.begin(), cells.end(), same_cell);
         if (found == cells.end()) found = cells.insert(cells.end(), NoiseRecord::Cell{result.cell, {}, 0, 0});
-        found->log_median_ms.push_back(std::log(draw->second.median_ms));
+        found->log_median_ms.push_back(std::log(figure_of(draw->second, Figure::lower_quartile)));
     }
 }
 

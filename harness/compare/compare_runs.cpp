@@ -16,6 +16,12 @@ namespace reliefbench {
 
 namespace {
 
+CellMedians times_of(const SideCell& base, const SideCell& changed) {
+    const bool quartiles = base.has_lower_quartiles() && changed.has_lower_quartiles();
+    const Figure figure = quartiles ? Figure::lower_quartile : Figure::median;
+    return {base.milliseconds(figure), changed.milliseconds(figure)};
+}
+
 /// Enough for the runs to tell their own noise: three a side.
 constexpr std::size_t fewest_own_degrees_of_freedom = 4;
 
@@ -190,10 +196,10 @@ double inflation_of(const Comparison& comparison, const RunSide& base, const Run
         const SideCell& after = changed.cells.at(cell.cell);
         if (!same_code(*before.runs[0], *after.runs[0], before.measured[0]->technique)) continue;
         const RunNoise noise_of_cell = noise_for(noise, before, after);
+        const CellMedians times = times_of(before, after);
         const auto own = static_cast<double>(before.measured.size() + after.measured.size() - 2);
-        controls.push_back(
-            {estimate_between_runs(before.milliseconds(), after.milliseconds(), noise_of_cell, comparison.threshold),
-             own + noise_of_cell.degrees_of_freedom});
+        controls.push_back({estimate_between_runs(times.base_ms, times.new_ms, noise_of_cell, comparison.threshold),
+                            own + noise_of_cell.degrees_of_freedom});
     }
     return noise_inflation(controls);
 }
@@ -205,9 +211,9 @@ void estimate_times(Comparison& comparison, const RunSide& base, const RunSide& 
         for (const CellComparison& cell : comparison.cells) {
             const SideCell& before = base.cells.at(cell.cell);
             const SideCell& after = changed.cells.at(cell.cell);
-            estimates.push_back(estimate_between_runs(before.milliseconds(), after.milliseconds(),
-                                                      noise_for(noise, before, after), comparison.threshold, level,
-                                                      inflation));
+            const CellMedians times = times_of(before, after);
+            estimates.push_back(estimate_between_runs(times.base_ms, times.new_ms, noise_for(noise, before, after),
+                                                      comparison.threshold, level, inflation));
         }
         return estimates;
     };
@@ -260,7 +266,7 @@ Comparison compare_runs(std::span<const StoredRun> base_runs, std::span<const St
 
     std::vector<CellMedians> medians;
     for (const CellComparison& cell : comparison.cells) {
-        medians.push_back({base.cells.at(cell.cell).milliseconds(), changed.cells.at(cell.cell).milliseconds()});
+        medians.push_back(times_of(base.cells.at(cell.cell), changed.cells.at(cell.cell)));
     }
     const NoiseSources noise{noise_of_runs(medians), machine_noise(base_runs.front(), new_runs.front(), find_noise)};
     const bool own = runs_tell(base_runs.size(), new_runs.size());

@@ -169,12 +169,16 @@ CellHistory series_of(const std::string& cell, const std::vector<Measured>& resu
                                      [](const Measured& measured) { return measured.result != nullptr; });
     CellHistory history;
     history.cell = cell;
+    const bool quartiles = std::all_of(results.begin(), results.end(), [](const Measured& measured) {
+        return measured.result == nullptr || measured.result->time.at(compared_pass).lower_quartile_ms;
+    });
+    const Figure figure = quartiles ? Figure::lower_quartile : Figure::median;
     for (const Measured& measured : results) {
         const bool comparable =
             measured.result != nullptr &&
             subject_difference(*measured.run, *measured.result, *newest->run, *newest->result).empty();
-        history.median_ms.push_back(comparable ? std::optional(measured.result->time.at(compared_pass).median_ms)
-                                               : std::nullopt);
+        history.median_ms.push_back(
+            comparable ? std::optional(figure_of(measured.result->time.at(compared_pass), figure)) : std::nullopt);
     }
     return history;
 }

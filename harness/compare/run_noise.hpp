@@ -14,7 +14,7 @@ namespace reliefbench {
 /// Error. `time` is when it was measured, for `source`.
 RunNoise pool_noise(std::span<const NoiseRecord::Cell> cells, const std::string& time);
 
-/// One cell's medians, ms, of the runs of each side; a run without the cell is left out.
+/// One cell's times, ms, of the runs of each side; a run without the cell is left out.
 struct CellMedians {
     std::vector<double> base_ms;
     std::vector<double> new_ms;

@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cmath>
 
+#include <algorithm>
+
 namespace reliefbench {
 
 namespace {
@@ -58,10 +60,20 @@ void require_one_subject(const RunSide& side) {
 
 }  // namespace
 
-std::vector<double> SideCell::milliseconds() const {
+double figure_of(const PassTiming& timing, Figure figure) {
+    return figure == Figure::lower_quartile ? timing.lower_quartile_ms.value() : timing.median_ms;
+}
+
+bool SideCell::has_lower_quartiles() const {
+    return std::all_of(measured.begin(), measured.end(), [](const CellResult* result) {
+        return result->time.at(compared_pass).lower_quartile_ms.has_value();
+    });
+}
+
+std::vector<double> SideCell::milliseconds(Figure figure) const {
     std::vector<double> values;
     for (const CellResult* result : measured) {
-        values.push_back(result->time.at(compared_pass).median_ms);
+        values.push_back(figure_of(result->time.at(compared_pass), figure));
     }
     return values;
 }

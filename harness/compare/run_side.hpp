@@ -14,6 +14,10 @@ namespace reliefbench {
 /// The pass whose time is compared.
 constexpr const char* compared_pass = "draw";
 
+/// Which of a pass's figures stands for a run: the lower quartile where all that are compared have it.
+enum class Figure { lower_quartile, median };
+double figure_of(const PassTiming& timing, Figure figure);
+
 /// One cell over the runs of a side.
 struct SideCell {
     /// Measured, each with its run.
@@ -22,8 +26,9 @@ struct SideCell {
     /// The first result that has no time.
     const CellResult* unmeasured = nullptr;
 
-    /// Medians of the compared pass, one per run that measured the cell.
-    std::vector<double> milliseconds() const;
+    bool has_lower_quartiles() const;
+    /// Of the compared pass, one per run that measured the cell.
+    std::vector<double> milliseconds(Figure figure) const;
 };
 
 /// The runs of one side by cell; refers to them.

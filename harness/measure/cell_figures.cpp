@@ -75,6 +75,7 @@ PassTiming summarize_timing(const std::vector<std::vector<double>>& rounds, int 
     timing.median_ms = median(medians);
     timing.mad_ms = median_absolute_deviation(samples);
     timing.ci95_ms = median_interval(medians);
+    timing.lower_quartile_ms = quantile(samples, 0.25);
     timing.n = samples.size();
     timing.repeats = repeats;
     timing.rounds = rounds.size();

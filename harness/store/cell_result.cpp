@@ -37,6 +37,7 @@ Json to_json(const PassTiming& timing) {
     json["repeats"] = timing.repeats;
     json["rounds"] = timing.rounds;
     json["outliers"] = timing.outliers;
+    if (timing.lower_quartile_ms) json["lower_quartile_ms"] = number(*timing.lower_quartile_ms);
     return json;
 }
 
@@ -108,7 +109,7 @@ std::optional<double> optional_number(const JsonView& view) {
 }
 
 PassTiming read_timing(const JsonView& view) {
-    view.require_only({"median_ms", "mad_ms", "ci95_ms", "n", "repeats", "rounds", "outliers"});
+    view.require_only({"median_ms", "mad_ms", "ci95_ms", "n", "repeats", "rounds", "outliers", "lower_quartile_ms"});
     const std::vector<JsonView> interval = view.at("ci95_ms").items();
     if (interval.size() != 2) view.at("ci95_ms").fail_expected("[low, high]");
     PassTiming timing;
@@ -119,6 +120,7 @@ PassTiming read_timing(const JsonView& view) {
     timing.repeats = static_cast<int>(view.at("repeats").integer(1, std::numeric_limits<int>::max()));
     // Runs before these were recorded have neither.
     if (view.has("rounds")) timing.rounds = count(view.at("rounds"));
+    if (view.has("lower_quartile_ms")) timing.lower_quartile_ms = view.at("lower_quartile_ms").number();
     if (view.has("outliers")) timing.outliers = count(view.at("outliers"));
     return timing;
 }
