@@ -82,8 +82,7 @@ Tally compare_stored(const RecordedNoise& noise, std::uint64_t seed, double rati
         const bool is_new = index >= runs_a_side;
         std::vector<CellResult> cells;
         for (const std::vector<double>& times : noise.run_times_ms) {
-            cells.push_back(
-                cell_result(fmt::format("c{}", cells.size()), times[order[index]] * (is_new ? ratio : 1)));
+            cells.push_back(cell_result(fmt::format("c{}", cells.size()), times[order[index]] * (is_new ? ratio : 1)));
         }
         runs.push_back(one_run(fmt::format("run{}", index), std::move(cells)));
         // Changed sources: no cell is a control that would vouch for the others.
