@@ -38,15 +38,15 @@ struct PassTiming {
     double mad_ms = 0;
     /// Of the median, over the rounds' medians.
     Interval ci95_ms;
-    /// Of all samples: what runs are compared by, for what disturbs a draw only ever makes it longer. Empty in runs
-    /// made before it was kept.
-    std::optional<double> lower_quartile_ms = {};
     std::size_t n = 0;
     /// Draws inside one timestamp pair.
     int repeats = 1;
     std::size_t rounds = 0;
     /// Samples far from the median: counted here, dropped nowhere.
     std::size_t outliers = 0;
+    /// Of all samples: what runs are compared by, for what disturbs a draw only ever makes it longer. Empty in runs
+    /// made before it was kept.
+    std::optional<double> lower_quartile_ms = {};
 };
 
 /// One line of cells.jsonl as plain data; docs/architecture.md lists the fields. What is undefined is empty here and
