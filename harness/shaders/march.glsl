@@ -1,13 +1,6 @@
 // Linear search in uniform layers, shared by the marching techniques.
 
-// Where the ray first passes beneath the surface, between two neighbouring layers. At the entry both are the same.
-struct Crossing {
-    float s_above;
-    float h_above;
-    float s_below;
-    float h_below;
-    int steps;
-};
+#include "crossing.glsl"
 
 // Luna 2012, section 5: head-on rays take the minimum, grazing ones the maximum; fractions are cut off as published.
 int layer_count(ReliefRay ray, int minimum, int maximum, bool by_view_angle) {
@@ -15,12 +8,12 @@ int layer_count(ReliefRay ray, int minimum, int maximum, bool by_view_angle) {
     return max(1, int(mix(float(maximum), float(minimum), ray.to_eye.z)));
 }
 
-// The surface's height over the ray's point at parameter s.
 float tap_along(ReliefRay ray, float s) {
     return tap_height(point_on_ray(ray, s));
 }
 
-// The last layer lies at h = 0, where every ray is at or beneath the surface: a crossing is always found.
+// Where the ray first passes beneath the surface, between two neighbouring layers. The last layer lies at h = 0, where
+// every ray is at or beneath the surface: a crossing is always found.
 Crossing find_crossing(ReliefRay ray, int layers) {
     float h = tap_along(ray, 0.0);
     Crossing crossing = Crossing(0.0, h, 0.0, h, 0);

@@ -40,11 +40,12 @@ TEST_F(BrokenCopies, Order1FindsHalfAStepTooFar) {
 }
 
 TEST_F(BrokenCopies, Order1FindsSwappedHalvesOfTheBinarySearch) {
-    expect_broken_promise(BrokenCopy("relief", "trace.glsl", "< 1.0 - middle)", ">= 1.0 - middle)"), Promise::order_1);
+    expect_broken_promise(BrokenCopy("relief", "refinement.glsl", "< 1.0 - middle)", ">= 1.0 - middle)"),
+                          Promise::order_1);
 }
 
 TEST_F(BrokenCopies, Order1FindsAMissingHalving) {
-    expect_broken_promise(BrokenCopy("relief", "trace.glsl", "i < binary_steps", "i < binary_steps - 1"),
+    expect_broken_promise(BrokenCopy("relief", "refinement.glsl", "i < halvings", "i < halvings - 1"),
                           Promise::order_1);
 }
 
@@ -56,12 +57,12 @@ TEST_F(BrokenCopies, Order1FindsAMapShiftedByHalfATexel) {
 
 TEST_F(BrokenCopies, Order2FindsHalfAStepTooFar) {
     expect_broken_promise(
-        BrokenCopy("pom", "trace.glsl", "crossing.s_below, fraction)", "crossing.s_below, fraction + 0.5)"),
+        BrokenCopy("pom", "refinement.glsl", "crossing.s_below, fraction)", "crossing.s_below, fraction + 0.5)"),
         Promise::order_2);
 }
 
 TEST_F(BrokenCopies, Order2FindsTheMiddleOfTheLayerInPlaceOfTheIntersection) {
-    expect_broken_promise(BrokenCopy("pom", "trace.glsl", "0.0 : above / (above + below)", "0.0 : 0.5"),
+    expect_broken_promise(BrokenCopy("pom", "refinement.glsl", "? above / (above + below) : 0.0", "? 0.5 : 0.0"),
                           Promise::order_2);
 }
 
@@ -125,7 +126,7 @@ TEST_F(BrokenCopies, TimedAndProbedMustCoverTheSamePixels) {
 }
 
 TEST_F(BrokenCopies, HitsMustBeFinite) {
-    const BrokenCopy copy("pom", "trace.glsl", "crossing.steps == 0 ? 0.0 : above / (above + below)",
+    const BrokenCopy copy("pom", "refinement.glsl", "above + below > 0.0 ? above / (above + below) : 0.0",
                           "(above - above) / (below - below)");
     const std::vector<Check> checks = checks_until_failure(device(), copy.technique(), check_pictures);
     EXPECT_FALSE(checks.back().passed);
@@ -138,8 +139,7 @@ TEST_F(BrokenCopies, HitsMustStayInTheRelief) {
 
 /// The listing of Luna 2012, section 6, pairs the tap at the entry with the ray one layer down.
 TEST_F(BrokenCopies, AMapOfOnesMustBeThePolygon) {
-    const BrokenCopy copy("pom", "trace.glsl", "return hit_on_ray(mix(crossing.s_above, crossing.s_below, fraction)",
-                          "return hit_on_ray(mix(crossing.s_above, crossing.s_below, fraction) + 1.0 / 50.0");
+    const BrokenCopy copy("pom", "trace.glsl", "hit_on_ray(refined.s,", "hit_on_ray(refined.s + 1.0 / 50.0,");
     expect_failure(copy, "a map of ones is the polygon", check_polygon);
 }
 

@@ -1,0 +1,86 @@
+#ifndef RELIEFBENCH_REFINEMENT_GLSL
+#define RELIEFBENCH_REFINEMENT_GLSL
+
+// From a part of the ray that holds a crossing to a point: the refinements of the marching techniques, for whatever
+// search found that part.
+
+#include "crossing.glsl"
+
+struct Refined {
+    float s;
+    int steps;  // those of the search and those of the refinement
+};
+
+// The surface between the ends is taken for a straight line, and ray and line are intersected (Luna 2012, section 4).
+// Reads nothing.
+Refined refine_linearly(Crossing crossing) {
+    float above = gap_above(crossing);
+    float below = gap_below(crossing);
+    // At the entry both ends are one.
+    float fraction = above + below > 0.0 ? above / (above + below) : 0.0;
+    return Refined(mix(crossing.s_above, crossing.s_below, fraction), crossing.steps);
+}
+
+// `halvings` taps; the last point known to be beneath the surface (Policarpo 2005).
+Refined refine_by_halving(ReliefRay ray, Crossing crossing, int halvings) {
+    float s_above = crossing.s_above;
+    float s_below = crossing.s_below;
+    for (int i = 0; i < halvings; ++i) {
+        float middle = 0.5 * (s_above + s_below);
+        if (tap_along(ray, middle) < 1.0 - middle)
+            s_above = middle;
+        else
+            s_below = middle;
+    }
+    return Refined(s_below, crossing.steps + halvings);
+}
+
+// Ray and chord are intersected, and the intersection takes the place of the end on its side of the surface, again and
+// again: the interval always holds a crossing (Risser 2007). The last of the `chords` intersections is the answer and
+// is not read.
+Refined refine_by_secants(ReliefRay ray, Crossing crossing, int chords) {
+    float above = gap_above(crossing);
+    float below = gap_below(crossing);
+    Refined refined = Refined(crossing.s_below, crossing.steps);
+    for (int i = 1; i <= chords; ++i) {
+        // Nothing is left to divide by where an end lies on the surface, the entry included.
+        if (above <= 0.0 || below <= 0.0) break;
+        refined.s = mix(crossing.s_above, crossing.s_below, above / (above + below));
+        refined.steps += 1;
+        if (i == chords) break;
+        float gap = (1.0 - refined.s) - tap_along(ray, refined.s);
+        if (gap > 0.0) {
+            crossing.s_above = refined.s;
+            above = gap;
+        } else {
+            crossing.s_below = refined.s;
+            below = -gap;
+        }
+    }
+    return refined;
+}
+
+// `levels` times the step that holds the crossing is marched again in `finer_steps` steps; the first of the finest at or
+// beneath the surface (Riccardi). The last of the finer steps ends where contact is known already.
+Refined refine_by_marching_again(ReliefRay ray, Crossing crossing, int levels, int finer_steps) {
+    float s_above = crossing.s_above;
+    float s_below = crossing.s_below;
+    int steps = crossing.steps;
+    // A ray that enters at or beneath the surface has no step to march again.
+    for (int level = 0; level < levels && s_above < s_below; ++level) {
+        float start = s_above;
+        float end = s_below;
+        for (int i = 1; i < finer_steps; ++i) {
+            float s = mix(start, end, float(i) / float(finer_steps));
+            steps += 1;
+            if (tap_along(ray, s) >= 1.0 - s) {
+                s_below = s;
+                break;
+            }
+            s_above = s;
+        }
+    }
+    return Refined(s_below, steps);
+}
+
+#endif
