@@ -107,6 +107,25 @@ TEST_F(BrokenCopies, ConservativeFindsATreeWithoutTheCellsFarCorners) {
                           Promise::conservative);
 }
 
+TEST_F(BrokenCopies, FirstHitFindsABoxEnteredOneLevelTooHigh) {
+    expect_broken_promise(BrokenCopy("max_mip", "trace.glsl", "if (1.0 - node.exit < box_top)",
+                                     "if (1.0 - 0.5 * (place.s + node.exit) < box_top)"),
+                          Promise::first_hit);
+}
+
+TEST_F(BrokenCopies, FirstHitFindsMaximumMipmapsOverThreeOfFourNodes) {
+    expect_broken_promise(BrokenCopy("max_mip", "node_maximum.glsl", "node_maximum(texel)",
+                                     "max(max(previous_level(2 * texel).r, previous_level(2 * texel + ivec2(1, 0)).r), "
+                                     "previous_level(2 * texel + ivec2(0, 1)).r)"),
+                          Promise::first_hit);
+}
+
+TEST_F(BrokenCopies, ConservativeFindsBoxesPassedThroughToTheirFarWall) {
+    expect_broken_promise(
+        BrokenCopy("max_mip", "trace.glsl", "max(place.s, 1.0 - box_top)", "0.5 * (place.s + node.exit)"),
+        Promise::conservative);
+}
+
 TEST_F(BrokenCopies, TimedAndProbedMustAgree) {
     const BrokenCopy copy("steep", "trace.glsl", "    return hit_on_ray(crossing.s_below, crossing.steps);",
                           "#ifndef RELIEFBENCH_PROBED\n"
