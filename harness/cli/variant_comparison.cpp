@@ -31,8 +31,7 @@ std::vector<RatioEstimate> estimate_all(const VariantOutcome& outcome, double th
 }  // namespace
 
 CellIsDecided decided_at_looks(double threshold, std::size_t cells) {
-    const double level =
-        std::min(highest_verdict_p, live_false_discovery_rate / static_cast<double>(std::max<std::size_t>(cells, 1)));
+    const double level = live_false_discovery_rate / static_cast<double>(std::max<std::size_t>(cells, 1));
     return [threshold, level](const LogRatios& log_ratios) {
         const std::size_t rounds = log_ratios.size();
         return is_look(rounds) &&
@@ -45,7 +44,7 @@ Comparison compare_variants(const VariantOutcome& outcome, double threshold) {
     comparison.threshold = threshold;
     comparison.unit = "rounds";
     const std::vector<Verdict> verdicts =
-        decide(estimate_all(outcome, threshold, highest_verdict_p), threshold, live_false_discovery_rate);
+        decide(estimate_all(outcome, threshold, live_false_discovery_rate), threshold, live_false_discovery_rate);
     const std::vector<RatioEstimate> estimates =
         estimate_all(outcome, threshold, level_of_verdicts(verdicts, live_false_discovery_rate));
     for (std::size_t i = 0; i < estimates.size(); ++i) {

@@ -82,6 +82,7 @@ RatioEstimate estimate_between_runs(std::span<const double> base_ms, std::span<c
     evidence.units = units;
     evidence.interval_reach = [&](std::size_t with_units) { return reach(0.025, with_units); };
     evidence.verdict_reach = [&](std::size_t with_units) { return reach(level / 2, with_units); };
+    evidence.unchanged_reach = [&](std::size_t with_units) { return reach(highest_p_unchanged / 2, with_units); };
     evidence.unlucky_reach = [&](std::size_t with_units) { return reach(0.01, with_units); };
 
     const double standard_error = std::sqrt(variance * (1 / base.count + 1 / changed.count));
@@ -92,6 +93,7 @@ RatioEstimate estimate_between_runs(std::span<const double> base_ms, std::span<c
     estimate.ci95 = {std::exp(evidence.log_ratio - half_width), std::exp(evidence.log_ratio + half_width)};
     estimate.p_slower = p_above(evidence.log_ratio - log_threshold, standard_error, freedom);
     estimate.p_faster = p_above(-evidence.log_ratio - log_threshold, standard_error, freedom);
+    estimate.p_unchanged = std::min(1.0, 2 * p_above(std::abs(evidence.log_ratio), standard_error, freedom));
     estimate.visible = visible_change(evidence, threshold);
     estimate.units = units;
     estimate.more = more_units(evidence, threshold, most_runs);

@@ -11,10 +11,10 @@ namespace reliefbench {
 /// evidence: a t interval on the logarithms, whose variance is pooled from both sides (identical code on one machine
 /// has one variance, and Welch's has too few degrees of freedom with three runs) and from `noise`, each weighted by its
 /// degrees of freedom: the moderated t of Smyth (2004). With one run a side it is the noise alone; noise of no degrees
-/// of freedom is left out where the runs have some of their own. `level`: the two-sided p-value that a verdict must
-/// pass, for `visible` and `more`.
+/// of freedom is left out where the runs have some of their own. `level`: the two-sided p-value of being beyond
+/// the threshold that a verdict must pass, for `visible` and `more`.
 RatioEstimate estimate_between_runs(std::span<const double> base_ms, std::span<const double> new_ms,
-                                    const RunNoise& noise, double threshold, double level = highest_verdict_p,
+                                    const RunNoise& noise, double threshold, double level = highest_p_unchanged,
                                     double inflation = 1);
 
 /// One cell that runs the same code on both sides: its estimate, made without inflation, and how many degrees of

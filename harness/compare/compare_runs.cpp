@@ -134,7 +134,7 @@ std::optional<std::string> notice_of_preparation(const Comparison& comparison, c
     const std::vector<double> after = preparation_of(changed, comparison);
     if (before.empty() || after.empty()) return std::nullopt;
     const RatioEstimate estimate = estimate_between_runs(before, after, noise, comparison.threshold);
-    const Verdict verdict = decide(std::span(&estimate, 1), comparison.threshold, highest_verdict_p).front();
+    const Verdict verdict = decide(std::span(&estimate, 1), comparison.threshold, highest_p_unchanged).front();
     if (verdict != Verdict::slower && verdict != Verdict::faster) return std::nullopt;
     return fmt::format("preparing the maps of all cells together is {}", describe(estimate, verdict, "runs"));
 }
@@ -218,7 +218,7 @@ void estimate_times(Comparison& comparison, const RunSide& base, const RunSide& 
         return estimates;
     };
     const std::vector<Verdict> verdicts =
-        decide(estimate_all(highest_verdict_p), comparison.threshold, false_discovery_rate);
+        decide(estimate_all(false_discovery_rate), comparison.threshold, false_discovery_rate);
     // What could have been seen depends on how many verdicts there are.
     const std::vector<RatioEstimate> estimates = estimate_all(level_of_verdicts(verdicts, false_discovery_rate));
     for (std::size_t index = 0; index < comparison.cells.size(); ++index) {

@@ -7,18 +7,23 @@ namespace reliefbench {
 
 namespace {
 
+/// The magnitude of a log ratio beyond which there is a verdict of slower or faster.
+double decided_beyond(const Evidence& evidence, double log_threshold, std::size_t units) {
+    const double beyond_threshold = std::max(evidence.interval_reach(units), evidence.verdict_reach(units));
+    return std::max(log_threshold + beyond_threshold, evidence.unchanged_reach(units));
+}
+
 bool decides(const Evidence& evidence, double log_threshold, std::size_t units) {
     const double distance = std::abs(evidence.log_ratio);
     if (distance < log_threshold) return distance + evidence.interval_reach(units) < log_threshold;
-    const double needed = std::max(evidence.interval_reach(units), evidence.verdict_reach(units));
-    return distance - needed > log_threshold;
+    return distance > decided_beyond(evidence, log_threshold, units);
 }
 
 }  // namespace
 
 double visible_change(const Evidence& evidence, double threshold) {
-    const double needed = std::max(evidence.interval_reach(evidence.units), evidence.verdict_reach(evidence.units));
-    return std::expm1(std::log1p(threshold) + needed + evidence.unlucky_reach(evidence.units));
+    return std::expm1(decided_beyond(evidence, std::log1p(threshold), evidence.units) +
+                      evidence.unlucky_reach(evidence.units));
 }
 
 std::optional<std::size_t> more_units(const Evidence& evidence, double threshold, std::size_t most_units) {

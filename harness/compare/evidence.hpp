@@ -15,6 +15,8 @@ struct Evidence {
     /// a verdict.
     std::function<double(std::size_t units)> interval_reach;
     std::function<double(std::size_t units)> verdict_reach;
+    /// How far from 0 the log ratio has to lie for a verdict.
+    std::function<double(std::size_t units)> unchanged_reach;
     /// How far chance takes an estimate below the truth once in a hundred.
     std::function<double(std::size_t units)> unlucky_reach;
 };

@@ -62,6 +62,9 @@ RatioEstimate estimate_paired(std::span<const double> log_ratios, double thresho
     evidence.units = rounds;
     evidence.interval_reach = [&](std::size_t with_rounds) { return reach(look_level / 2, with_rounds); };
     evidence.verdict_reach = [&](std::size_t with_rounds) { return reach(level / 2 * share_of_look, with_rounds); };
+    evidence.unchanged_reach = [&](std::size_t with_rounds) {
+        return reach(highest_p_unchanged / 2 * share_of_look, with_rounds);
+    };
     evidence.unlucky_reach = [&](std::size_t with_rounds) { return reach(0.01, with_rounds); };
 
     RatioEstimate estimate;
@@ -69,6 +72,8 @@ RatioEstimate estimate_paired(std::span<const double> log_ratios, double thresho
     estimate.ci95 = {std::exp(shift.interval->low), std::exp(shift.interval->high)};
     estimate.p_slower = std::min(1.0, p_above(log_ratios, log_threshold, 1) / share_of_look);
     estimate.p_faster = std::min(1.0, p_above(log_ratios, log_threshold, -1) / share_of_look);
+    const double p_one_sided = std::min(p_above(log_ratios, 0, 1), p_above(log_ratios, 0, -1));
+    estimate.p_unchanged = std::min(1.0, 2 * p_one_sided / share_of_look);
     estimate.visible = visible_change(evidence, threshold);
     estimate.units = rounds;
     estimate.more = more_units(evidence, threshold, most_rounds);

@@ -12,8 +12,9 @@ namespace reliefbench {
 /// all that the test assumes. `threshold` is a fraction. `look_level` is the two-sided error level that this look may
 /// spend of 0.05 (look_schedule.hpp): the interval is made at that level and the p-values are multiplied by 0.05 /
 /// look_level, so that both hold over all looks together. Too few rounds for that level (fewer than 6 at 0.05): an
-/// interval from 0 to infinity. `level`: the two-sided p-value that a verdict must pass, for `visible` and `more`.
+/// interval from 0 to infinity. `level`: the two-sided p-value of being beyond the threshold that a verdict must
+/// pass, for `visible` and `more`.
 RatioEstimate estimate_paired(std::span<const double> log_ratios, double threshold, double look_level = 0.05,
-                              double level = highest_verdict_p);
+                              double level = highest_p_unchanged);
 
 }  // namespace reliefbench

@@ -8,10 +8,11 @@
 
 namespace reliefbench {
 
-/// The highest two-sided p-value that a verdict of slower or faster may rest on, however many cells agree. What moves
-/// all cells at once (another process, a warm machine) makes them wrong together, and then correction for many cells
-/// does not help: this bounds the cells called wrongly at 1 in 2000 by itself.
-constexpr double highest_verdict_p = 0.0005;
+/// The highest two-sided p-value of "nothing changed" beside which a verdict of slower or faster may stand, however
+/// many cells agree. What moves all cells at once (another process, a warm machine) makes them wrong together, and then
+/// correction for many cells does not help: this bounds the cells of unchanged code called wrongly at 1 in 1000 by
+/// itself, which is what comparing promises.
+constexpr double highest_p_unchanged = 0.001;
 
 /// What is known of new time / base time. Ratios are multiplicative, so that a threshold of 2 % means above 1.02 or
 /// below 1 / 1.02, and the estimates are made on logarithms.
@@ -22,6 +23,8 @@ struct RatioEstimate {
     /// One-sided p-values of "the new side is not slower (not faster) than by the threshold": small speaks against it.
     double p_slower = 1;
     double p_faster = 1;
+    /// Two-sided p-value of "the ratio is 1".
+    double p_unchanged = 1;
     /// The smallest change beyond which evidence as noisy and as much as this is decided as a rule (99 in 100), as a
     /// fraction: 0.05 is 5 %. It is at least the threshold; infinite where nothing could be seen.
     double visible = 0;

@@ -26,7 +26,7 @@ Verdict verdict_at(const RatioEstimate& estimate, double threshold, double level
     const double high = 1 + threshold;
     const double low = 1 / high;
     if (low < estimate.ci95.low && estimate.ci95.high < high) return Verdict::same;
-    if (two_sided_p(estimate) <= level) {
+    if (two_sided_p(estimate) <= level && estimate.p_unchanged <= highest_p_unchanged) {
         if (estimate.ci95.low > high) return Verdict::slower;
         if (estimate.ci95.high < low) return Verdict::faster;
     }
@@ -54,7 +54,7 @@ std::vector<Verdict> decide(std::span<const RatioEstimate> estimates, double thr
     for (const RatioEstimate& estimate : estimates) {
         p_values.push_back(two_sided_p(estimate));
     }
-    const double level = std::min(highest_verdict_p, highest_rejected(std::move(p_values), false_discovery_rate));
+    const double level = highest_rejected(std::move(p_values), false_discovery_rate);
     std::vector<Verdict> verdicts;
     for (const RatioEstimate& estimate : estimates) {
         verdicts.push_back(verdict_at(estimate, threshold, level));
@@ -67,8 +67,7 @@ double level_of_verdicts(std::span<const Verdict> verdicts, double false_discove
         return verdict == Verdict::slower || verdict == Verdict::faster;
     });
     const auto cells = static_cast<double>(std::max<std::size_t>(verdicts.size(), 1));
-    return std::min(highest_verdict_p,
-                    false_discovery_rate * std::min(static_cast<double>(decided) + 1, cells) / cells);
+    return false_discovery_rate * std::min(static_cast<double>(decided) + 1, cells) / cells;
 }
 
 bool is_settled(const RatioEstimate& estimate, double threshold, double level) {

@@ -42,6 +42,7 @@ Json cell_to_json(const CellComparison& cell) {
     json["reason"] = cell.reason;
     json["p_slower"] = number(cell.time.p_slower);
     json["p_faster"] = number(cell.time.p_faster);
+    json["p_unchanged"] = number(cell.time.p_unchanged);
     json["units"] = cell.time.units;
     json["more"] = cell.time.more ? Json(*cell.time.more) : Json(nullptr);
     json["quality"] = quality_to_json(cell.quality);

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -18,6 +19,7 @@ RatioEstimate estimate_of(double ratio, Interval interval, double p_slower, doub
     estimate.ci95 = interval;
     estimate.p_slower = p_slower;
     estimate.p_faster = p_faster;
+    estimate.p_unchanged = std::min(p_slower, p_faster);
     estimate.visible = 0.12;
     estimate.units = 5;
     estimate.more = 9;
@@ -62,11 +64,14 @@ TEST(Decide, AStepUpCarriesThoseBelowIt) {
     EXPECT_EQ(decide(estimates, 0.02, 4e-4), std::vector<Verdict>(4, Verdict::slower));
 }
 
-TEST(Decide, NoVerdictRestsOnAHighPValueHoweverManyCellsAgree) {
-    const std::vector<RatioEstimate> agreeing(100, slower_at(0.6 * highest_verdict_p));
+TEST(Decide, NoVerdictStandsWhereUnchangedCodeIsLikelyHoweverManyCellsAgree) {
+    std::vector<RatioEstimate> agreeing(100, slower_at(1e-6));
+    for (RatioEstimate& estimate : agreeing)
+        estimate.p_unchanged = 1.1 * highest_p_unchanged;
     EXPECT_EQ(decide(agreeing, 0.02, 0.01), std::vector<Verdict>(100, Verdict::undecided));
-    const std::vector<RatioEstimate> clear(100, slower_at(0.5 * highest_verdict_p));
-    EXPECT_EQ(decide(clear, 0.02, 0.01), std::vector<Verdict>(100, Verdict::slower));
+    for (RatioEstimate& estimate : agreeing)
+        estimate.p_unchanged = highest_p_unchanged;
+    EXPECT_EQ(decide(agreeing, 0.02, 0.01), std::vector<Verdict>(100, Verdict::slower));
 }
 
 TEST(Decide, NoCellsGiveNoVerdicts) {
@@ -80,8 +85,8 @@ TEST(LevelOfVerdicts, IsWhatOneMoreCellWouldHaveHadToPass) {
     verdicts[8] = Verdict::faster;
     verdicts[9] = Verdict::same;
     EXPECT_DOUBLE_EQ(level_of_verdicts(verdicts, 0.01), 3e-4);
-    EXPECT_DOUBLE_EQ(level_of_verdicts(std::vector<Verdict>(100, Verdict::slower), 0.01), highest_verdict_p);
-    EXPECT_DOUBLE_EQ(level_of_verdicts({}, 0.01), highest_verdict_p);
+    EXPECT_DOUBLE_EQ(level_of_verdicts(std::vector<Verdict>(100, Verdict::slower), 0.01), 0.01);
+    EXPECT_DOUBLE_EQ(level_of_verdicts({}, 0.01), 0.01);
 }
 
 TEST(IsSettled, DoesNotWaitForOtherCells) {

@@ -128,16 +128,13 @@ TEST(RegressionPower, StoredRunsOfOneConfigurationGiveAtMostOneFalseVerdictInATh
     EXPECT_LE(1000 * (all.slower + all.faster), all.cells);
 }
 
-TEST(RegressionPower, FiveRunsASideFindAThirtyPerCentSlowdownInNineOfTenCells) {
+TEST(RegressionPower, FiveRunsASideFindAThirtyPerCentSlowdownInNineteenOfTwentyCells) {
     const RecordedNoise noise = read_recorded_noise();
     Tally all;
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         all += compare_stored(noise, seed, 1.3);
     }
-    // Not nineteen of twenty: these runs' cells moved together, so that they lend each other little, and a verdict
-    // needs p <= highest_verdict_p. The others are undecided, and none of them claims that it would have seen this
-    // change.
-    EXPECT_GE(10 * all.slower, 9 * all.cells);
+    EXPECT_GE(20 * all.slower, 19 * all.cells);
     EXPECT_EQ(all.overlooked, 0U);
 }
 

@@ -18,7 +18,7 @@ TEST(ComparisonJson, HasWhatTheFormatPromisesAndMore) {
     EXPECT_EQ(comparison_to_json(comparison), Json::parse(R"({
         "cells": [{
             "cell": "pom | view_angle=60", "verdict": "same", "ratio": 1.0004, "ci95": [0.99, 1.01], "visible": 0.031,
-            "reason": "same: +0.0 % (−1.0 to +1.0 %), 5 runs a side", "p_slower": 1.0, "p_faster": 1.0, "units": 5, "more": 0,
+            "reason": "same: +0.0 % (−1.0 to +1.0 %), 5 runs a side", "p_slower": 1.0, "p_faster": 1.0, "p_unchanged": 1.0, "units": 5, "more": 0,
             "quality": {"verdict": "worse", "changes": [
                 {"field": "error.uv_texels.p99", "base": 0.75, "new": 0.8100001, "worse": true, "better": false},
                 {"field": "image.psnr", "base": null, "new": 40.0, "worse": false, "better": false},
