@@ -1,5 +1,6 @@
 #include "metrics/image_errors.hpp"
 
+#include "core/parallel.hpp"
 #include "metrics/flip.hpp"
 #include "metrics/ssim.hpp"
 #include "scene/colour.hpp"
@@ -26,10 +27,13 @@ std::vector<std::size_t> covered_by_either(const HitImage& first, const HitImage
 }
 
 Image<double> encoded_channel(const Colours& linear, std::size_t channel) {
+    constexpr std::size_t pixels_at_once = 1 << 14;
     Image<double> encoded(linear.size);
-    for (std::size_t pixel = 0; pixel < linear.texels.size(); ++pixel) {
-        encoded.texels[pixel] = srgb_encode(linear.texels[pixel][channel]);
-    }
+    parallel_for(linear.texels.size(), pixels_at_once, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t pixel = begin; pixel < end; ++pixel) {
+            encoded.texels[pixel] = srgb_encode(linear.texels[pixel][channel]);
+        }
+    });
     return encoded;
 }
 
