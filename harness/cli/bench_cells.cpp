@@ -80,7 +80,8 @@ std::optional<Renderer> BenchCells::make_renderer(std::size_t index) {
     const Technique& technique = library_->get(cell.technique);
     std::string reason = cell.skip_reason;
     if (reason.empty()) {
-        reason = unsupported_reason(*device_, technique, cell.view.view, inputs_.map(cell.view).map.heights.size);
+        reason = unsupported_reason(*device_, technique, cell.parameters, cell.view.view,
+                                    inputs_.map(cell.view).map.heights.size);
     }
     if (!reason.empty()) {
         CellResult& result = results_[index] = blank_result(cell);

@@ -134,7 +134,8 @@ ExitCode render(const RenderOptions& options) {
     const gpu::Device device(options.device.options);
     const LoadedMap loaded(device, cell.view.height_map, cell.view.height_format);
     const Technique& technique = library.get(cell.technique);
-    const std::string unsupported = unsupported_reason(device, technique, view, loaded.map.heights.size);
+    const std::string unsupported =
+        unsupported_reason(device, technique, cell.parameters, view, loaded.map.heights.size);
     if (!unsupported.empty()) fail("{}: {}", cell.id, unsupported);
 
     const Lighting lighting;

@@ -37,13 +37,14 @@ vk::raii::DeviceMemory allocate_host_visible(const DeviceHandles& handles, const
 
 vk::raii::ImageView make_view(const DeviceHandles& handles, const Texture& texture, std::uint32_t first_level,
                               std::uint32_t level_count) {
+    const vk::ImageViewType view_type = texture.slices > 0 ? vk::ImageViewType::e3D : vk::ImageViewType::e2D;
     vk::ImageSubresourceRange range = texture.all();
     range.baseMipLevel = first_level;
     range.levelCount = level_count;
-    return vk::raii::ImageView(handles.device, vk::ImageViewCreateInfo{.image = *texture.image,
-                                                                       .viewType = vk::ImageViewType::e2D,
-                                                                       .format = texture.format,
-                                                                       .subresourceRange = range});
+    return vk::raii::ImageView(
+        handles.device,
+        vk::ImageViewCreateInfo{
+            .image = *texture.image, .viewType = view_type, .format = texture.format, .subresourceRange = range});
 }
 
 }  // namespace
@@ -68,20 +69,24 @@ Buffer make_filled_buffer(const Device& device, vk::BufferUsageFlags usage, std:
 }
 
 Texture::Texture(const Device& device, vk::Extent2D size, vk::Format texel_format, std::uint32_t level_count,
-                 vk::ImageUsageFlags usage)
-    : extent(size), format(texel_format), levels(level_count) {
+                 vk::ImageUsageFlags usage, std::uint32_t slice_count)
+    : extent(size), slices(slice_count), format(texel_format), levels(level_count) {
+    assert(slices == 0 || levels == 1);
     const DeviceHandles& handles = device.handles();
-    const std::string what = fmt::format("make a {}x{} {} image", size.width, size.height, vk::to_string(format));
+    const std::uint32_t depth = std::max(slices, 1u);
+    const std::string what =
+        fmt::format("make a {}x{}x{} {} image", size.width, size.height, depth, vk::to_string(format));
     translate_errors(what, handles.info.name, [&] {
-        image = vk::raii::Image(handles.device, vk::ImageCreateInfo{.imageType = vk::ImageType::e2D,
-                                                                    .format = format,
-                                                                    .extent = {extent.width, extent.height, 1},
-                                                                    .mipLevels = levels,
-                                                                    .arrayLayers = 1,
-                                                                    .samples = vk::SampleCountFlagBits::e1,
-                                                                    .tiling = vk::ImageTiling::eOptimal,
-                                                                    .usage = usage,
-                                                                    .initialLayout = vk::ImageLayout::eUndefined});
+        image = vk::raii::Image(handles.device,
+                                vk::ImageCreateInfo{.imageType = slices > 0 ? vk::ImageType::e3D : vk::ImageType::e2D,
+                                                    .format = format,
+                                                    .extent = {extent.width, extent.height, depth},
+                                                    .mipLevels = levels,
+                                                    .arrayLayers = 1,
+                                                    .samples = vk::SampleCountFlagBits::e1,
+                                                    .tiling = vk::ImageTiling::eOptimal,
+                                                    .usage = usage,
+                                                    .initialLayout = vk::ImageLayout::eUndefined});
         const vk::MemoryRequirements requirements = image.getMemoryRequirements();
         bytes = requirements.size;
         memory = allocate(handles, requirements, vk::MemoryPropertyFlagBits::eDeviceLocal);
@@ -134,7 +139,7 @@ namespace {
 vk::BufferImageCopy whole_level(const Texture& texture, std::uint32_t level) {
     const vk::Extent2D size = texture.level_extent(level);
     return {.imageSubresource = {.aspectMask = texture.all().aspectMask, .mipLevel = level, .layerCount = 1},
-            .imageExtent = {size.width, size.height, 1}};
+            .imageExtent = {size.width, size.height, std::max(texture.slices, 1u)}};
 }
 
 }  // namespace
@@ -155,7 +160,8 @@ void upload_texture(const Device& device, const Texture& texture, std::span<cons
 std::vector<std::byte> read_texture(const Device& device, const Texture& texture, std::uint32_t level,
                                     vk::ImageLayout layout) {
     const vk::Extent2D size = texture.level_extent(level);
-    const std::size_t byte_count = std::size_t{size.width} * size.height * texel_bytes(texture.format);
+    const std::size_t byte_count =
+        std::size_t{size.width} * size.height * std::max(texture.slices, 1u) * texel_bytes(texture.format);
     const Buffer staging(device, byte_count, vk::BufferUsageFlagBits::eTransferDst, true);
     submit_and_wait(device, "read an image back", [&](const vk::raii::CommandBuffer& commands) {
         change_layout(commands, *texture.image, texture.all(), layout, vk::ImageLayout::eTransferSrcOptimal);
@@ -176,7 +182,7 @@ vk::raii::Sampler make_sampler(const Device& device, const SamplerOptions& optio
                                                                        .mipmapMode = mip_mode,
                                                                        .addressModeU = options.address,
                                                                        .addressModeV = options.address,
-                                                                       .addressModeW = options.address,
+                                                                       .addressModeW = options.address_across_slices,
                                                                        .maxLod = VK_LOD_CLAMP_NONE});
     });
 }

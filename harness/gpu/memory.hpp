@@ -22,12 +22,14 @@ struct Buffer {
 /// Host-visible buffer that holds `bytes`.
 Buffer make_filled_buffer(const Device& device, vk::BufferUsageFlags usage, std::span<const std::byte> bytes);
 
-/// A two-dimensional image with memory of its own, a view of all its levels, and one of each.
+/// An image with memory of its own, a view of all its levels, and one of each.
 struct Texture {
+    /// `slices`: of a three-dimensional image, which has one level; 0 makes one of two dimensions.
     Texture(const Device& device, vk::Extent2D extent, vk::Format format, std::uint32_t levels,
-            vk::ImageUsageFlags usage);
+            vk::ImageUsageFlags usage, std::uint32_t slices = 0);
 
     vk::Extent2D extent;
+    std::uint32_t slices;
     vk::Format format;
     std::uint32_t levels;
     /// What the driver asked for.
@@ -50,13 +52,15 @@ std::uint32_t texel_bytes(vk::Format format);
 /// Fills level 0, row 0 first, and leaves the image ready for sampling (eShaderReadOnlyOptimal).
 void upload_texture(const Device& device, const Texture& texture, std::span<const std::byte> texels);
 
-/// One level, tightly packed. `layout` is the layout that the image is in, and stays in.
+/// One level, tightly packed, slice after slice. `layout` is the layout that the image is in, and stays in.
 std::vector<std::byte> read_texture(const Device& device, const Texture& texture, std::uint32_t level,
                                     vk::ImageLayout layout);
 
 struct SamplerOptions {
     vk::Filter filter = vk::Filter::eLinear;
     vk::SamplerAddressMode address = vk::SamplerAddressMode::eRepeat;
+    /// Across the slices of a three-dimensional image.
+    vk::SamplerAddressMode address_across_slices = vk::SamplerAddressMode::eClampToEdge;
 };
 
 vk::raii::Sampler make_sampler(const Device& device, const SamplerOptions& options);

@@ -22,6 +22,10 @@ std::string to_string(Promise promise) {
     return {};
 }
 
+int MapDeclaration::slices(const ParameterValues& values) const {
+    return depth_parameter ? static_cast<int>(std::get<std::int64_t>(values.at(*depth_parameter))) : depth;
+}
+
 const Parameter* Manifest::find_parameter(const std::string& name) const {
     const auto found = std::ranges::find(parameters, name, &Parameter::name);
     return found == parameters.end() ? nullptr : &*found;

@@ -48,6 +48,14 @@ struct MapDeclaration {
     bool mip_chain = false;
     /// Hardware filtering between texels; otherwise nearest.
     bool linear_filter = false;
+    /// How many slices a three-dimensional map has, over the height from 0 to 1: a number, or the integer parameter
+    /// that has it. Neither: the map has two dimensions.
+    int depth = 0;
+    std::optional<std::string> depth_parameter;
+
+    bool is_volume() const { return depth > 0 || depth_parameter.has_value(); }
+    /// 0 for a map of two dimensions.
+    int slices(const ParameterValues& values) const;
 };
 
 /// A compute pass of the preparation. Runs once for each level that it covers, in the order of the manifest.

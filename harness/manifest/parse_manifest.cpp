@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::int64_t int32_minimum = std::numeric_limits<std::int32_t>::min();
 constexpr std::int64_t int32_maximum = std::numeric_limits<std::int32_t>::max();
+/// What every Vulkan device must offer is 256; no device has more than this.
+constexpr std::int64_t most_slices = 16384;
 constexpr double float_maximum = std::numeric_limits<float>::max();
 
 /// The enumerators' words, in the order of the enumeration.
@@ -133,8 +135,22 @@ std::string parse_sample_count_name(const JsonView& view, const Manifest& manife
     return name;
 }
 
-MapDeclaration parse_map(const JsonView& view, GlslNames& names) {
-    view.require_only({"name", "format", "size", "mip_chain", "linear_filter"});
+void parse_depth(const JsonView& view, const Manifest& manifest, MapDeclaration& map) {
+    if (map.mip_chain) view.fail_here("a map of three dimensions has one level; leave \"mip_chain\" out");
+    if (!view.json().is_string()) {
+        map.depth = static_cast<int>(view.integer(1, most_slices));
+        return;
+    }
+    map.depth_parameter = parse_integer_name(view, manifest);
+    const Parameter& slices = *manifest.find_parameter(*map.depth_parameter);
+    if (slices.minimum < 1 || slices.maximum > most_slices) {
+        view.fail_here(fmt::format("the range of '{}' must lie within 1 and {}, as it is a number of slices",
+                                   slices.name, most_slices));
+    }
+}
+
+MapDeclaration parse_map(const JsonView& view, const Manifest& manifest, GlslNames& names) {
+    view.require_only({"name", "format", "size", "mip_chain", "linear_filter", "depth"});
     MapDeclaration map;
     names.add_checked(view.at("name"));
     map.name = view.at("name").string();
@@ -142,6 +158,7 @@ MapDeclaration parse_map(const JsonView& view, GlslNames& names) {
     if (view.has("size")) map.size = static_cast<MapDeclaration::Size>(view.at("size").choice(map_sizes));
     if (view.has("mip_chain")) map.mip_chain = view.at("mip_chain").boolean();
     if (view.has("linear_filter")) map.linear_filter = view.at("linear_filter").boolean();
+    if (view.has("depth")) parse_depth(view.at("depth"), manifest, map);
     return map;
 }
 
@@ -193,7 +210,7 @@ PassDeclaration parse_pass(const JsonView& view, const Manifest& manifest, std::
 void parse_maps_and_passes(const JsonView& view, Manifest& manifest, GlslNames& names) {
     if (view.has("maps")) {
         for (const JsonView& item : view.at("maps").items())
-            manifest.maps.push_back(parse_map(item, names));
+            manifest.maps.push_back(parse_map(item, manifest, names));
     }
     std::map<std::string, Written> written;
     if (view.has("passes")) {

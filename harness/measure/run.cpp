@@ -116,7 +116,7 @@ private:
         try {
             const Technique& technique = library_.get(cell.technique);
             const Resolution map_size = inputs_.map(cell.view).map.heights.size;
-            reason = unsupported_reason(device_, technique, cell.view.view, map_size);
+            reason = unsupported_reason(device_, technique, cell.parameters, cell.view.view, map_size);
             if (reason.empty()) {
                 prepared.emplace(prepare_cell(device_, technique, cell, inputs_, configuration_));
             }

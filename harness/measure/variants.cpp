@@ -139,7 +139,7 @@ private:
     std::optional<PreparedCell> prepare(const Technique& technique, const Cell& cell, std::string& reason) {
         try {
             const Resolution map_size = inputs_.map(cell.view).map.heights.size;
-            reason = unsupported_reason(device_, technique, cell.view.view, map_size);
+            reason = unsupported_reason(device_, technique, cell.parameters, cell.view.view, map_size);
             if (!reason.empty()) return std::nullopt;
             PreparedCell prepared = prepare_cell(device_, technique, cell, inputs_, configuration_);
             prepared.probe = Probe{};

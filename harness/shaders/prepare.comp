@@ -11,12 +11,18 @@ pass_level;
 
 int level() { return pass_level.level; }
 
+#ifdef RELIEFBENCH_VOLUME
+#define RELIEFBENCH_TEXEL ivec3
+#else
+#define RELIEFBENCH_TEXEL ivec2
+#endif
+
 // Of the level being written.
-ivec2 map_size() { return imageSize(target_map); }
+RELIEFBENCH_TEXEL map_size() { return imageSize(target_map); }
 
-void write_map_at(ivec2 texel, vec4 value) { imageStore(target_map, texel, value); }
+void write_map_at(RELIEFBENCH_TEXEL texel, vec4 value) { imageStore(target_map, texel, value); }
 
-void write_map(vec4 value) { write_map_at(ivec2(gl_GlobalInvocationID.xy), value); }
+void write_map(vec4 value) { write_map_at(RELIEFBENCH_TEXEL(gl_GlobalInvocationID), value); }
 
 #ifdef RELIEFBENCH_ABOVE_BASE
 layout(set = 0, binding = 7) uniform sampler2D previous_map;
@@ -31,6 +37,6 @@ vec4 previous_level(ivec2 texel) { return texelFetch(previous_map, clamp(texel, 
 #include "pass.glsl"
 
 void main() {
-    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    RELIEFBENCH_TEXEL texel = RELIEFBENCH_TEXEL(gl_GlobalInvocationID);
     if (all(lessThan(texel, map_size()))) prepare(texel);
 }

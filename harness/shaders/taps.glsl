@@ -46,8 +46,19 @@ vec4 tap_map(sampler2D map, vec2 uv, float lod) {
     return textureLod(map, uv, lod);
 }
 
+// A map of three dimensions: repeating along u and v, clamped along the height.
+vec4 tap_map(sampler3D map, vec3 uvh, float lod) {
+    count_tap(8u);
+    return textureLod(map, uvh, lod);
+}
+
 // One stored texel of a derived map. No wrapping: the caller stays inside.
 vec4 tap_map_texel(sampler2D map, ivec2 texel, int lod) {
+    count_tap(1u);
+    return texelFetch(map, texel, lod);
+}
+
+vec4 tap_map_texel(sampler3D map, ivec3 texel, int lod) {
     count_tap(1u);
     return texelFetch(map, texel, lod);
 }

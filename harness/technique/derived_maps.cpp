@@ -16,9 +16,6 @@ namespace {
 /// Of prepare.comp, on each side.
 constexpr std::uint32_t workgroup_side = 8;
 
-constexpr auto map_usage =
-    vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eTransferSrc;
-
 std::size_t index_of_map(const Manifest& manifest, const std::string& name) {
     for (std::size_t i = 0; i < manifest.maps.size(); ++i) {
         if (manifest.maps[i].name == name) return i;
@@ -62,7 +59,8 @@ DerivedMaps::DerivedMaps(const gpu::Device& device, const Technique& technique, 
         const vk::Extent2D extent = map_extent(map, scene.size);
         const std::uint32_t levels = map.mip_chain ? gpu::full_mip_chain(extent) : 1;
         const vk::Filter filter = map.linear_filter ? vk::Filter::eLinear : vk::Filter::eNearest;
-        maps_.push_back({gpu::Texture(device, extent, vulkan_format(map), levels, map_usage),
+        const auto slices = static_cast<std::uint32_t>(map.slices(parameters));
+        maps_.push_back({gpu::Texture(device, extent, vulkan_format(map), levels, map_usage, slices),
                          gpu::make_sampler(device, {.filter = filter})});
     }
     for (const PassDeclaration& pass : technique.manifest.passes)
@@ -94,7 +92,11 @@ DerivedMaps::Pass DerivedMaps::make_pass(const Technique& technique, const PassD
                                                   vk::ImageLayout::eGeneral));
         sizes.push_back(target.texture.level_extent(level));
     }
-    Pass pass{.name = declaration.name, .pipeline = {}, .first_level = first_level, .level_sizes = sizes};
+    Pass pass{.name = declaration.name,
+              .pipeline = {},
+              .first_level = first_level,
+              .level_sizes = sizes,
+              .slices = std::max(target.texture.slices, 1u)};
     // A map of one texel has no level above its base.
     if (!sets.empty()) pass.pipeline = gpu::make_compute_pipeline(*device_, options, sets);
     return pass;
@@ -105,7 +107,7 @@ void DerivedMaps::record_pass(const vk::raii::CommandBuffer& commands, const Pas
         const auto level = static_cast<std::int32_t>(pass.first_level + i);
         pass.pipeline.bind(commands, i);
         commands.pushConstants<std::int32_t>(pass.pipeline.layout(), vk::ShaderStageFlagBits::eCompute, 0, level);
-        commands.dispatch(groups(pass.level_sizes[i].width), groups(pass.level_sizes[i].height), 1);
+        commands.dispatch(groups(pass.level_sizes[i].width), groups(pass.level_sizes[i].height), pass.slices);
         gpu::full_barrier(commands);
     }
 }

@@ -33,6 +33,8 @@ private:
         gpu::Pipeline pipeline;
         std::uint32_t first_level;
         std::vector<vk::Extent2D> level_sizes;
+        /// Of each level; 1 for a map of two dimensions.
+        std::uint32_t slices;
     };
 
     void record_pass(const vk::raii::CommandBuffer& commands, const Pass& pass) const;
@@ -43,6 +45,10 @@ private:
     std::vector<Map> maps_;
     std::vector<Pass> passes_;
 };
+
+/// How the images of maps are used.
+inline constexpr auto map_usage =
+    vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eTransferSrc;
 
 vk::Format vulkan_format(const MapDeclaration& map);
 vk::Extent2D map_extent(const MapDeclaration& map, Resolution height_map);

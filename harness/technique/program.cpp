@@ -40,8 +40,8 @@ std::string declare_parameters(const Manifest& manifest) {
 }
 
 std::string declare_map(const MapDeclaration& map, std::size_t index) {
-    return fmt::format("layout(set = 0, binding = {}) uniform sampler2D {};\n", binding::first_derived_map + index,
-                       map.name);
+    return fmt::format("layout(set = 0, binding = {}) uniform {} {};\n", binding::first_derived_map + index,
+                       map.is_volume() ? "sampler3D" : "sampler2D", map.name);
 }
 
 const MapDeclaration& find_map(const Manifest& manifest, const std::string& name) {
@@ -117,9 +117,11 @@ gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& tech
     std::string preamble = declare_parameters(manifest);
     for (const std::size_t map : maps_before(manifest, pass))
         preamble += declare_map(manifest.maps[map], map);
+    const MapDeclaration& target = find_map(manifest, pass.writes);
     // The format names of technique.json are GLSL's.
-    preamble += fmt::format("layout(set = 0, binding = {}, {}) uniform writeonly image2D target_map;\n",
-                            binding::target_map, find_map(manifest, pass.writes).format);
+    preamble += fmt::format("layout(set = 0, binding = {}, {}) uniform writeonly {} target_map;\n", binding::target_map,
+                            target.format, target.is_volume() ? "image3D" : "image2D");
+    if (target.is_volume()) preamble += "#define RELIEFBENCH_VOLUME 1\n";
     if (pass.levels == PassDeclaration::Levels::above_base) preamble += "#define RELIEFBENCH_ABOVE_BASE 1\n";
     return compile_stage(device, technique, pass.name,
                          {.stage = gpu::ShaderStage::compute,

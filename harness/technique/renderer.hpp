@@ -116,8 +116,8 @@ private:
 std::vector<double> time_empty_pass(const gpu::Device& device, int samples);
 
 /// Empty when the device can run the technique on the map and view, else the reason for skipping the cell.
-std::string unsupported_reason(const gpu::Device& device, const Technique& technique, const View& view,
-                               Resolution height_map);
+std::string unsupported_reason(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
+                               const View& view, Resolution height_map);
 
 /// The largest deviation δ of a filtered tap from exact bilinear interpolation of the stored values, for heights in
 /// [0, 1], measured with a compute pass. The filter's floor is δ·H·tanθ·N·tiling texels.

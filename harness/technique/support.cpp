@@ -11,7 +11,26 @@ namespace {
 /// Bytes of the work counters of one pixel (work.glsl).
 constexpr std::uint64_t work_bytes_per_pixel = 16;
 
-std::string unsupported_map(const gpu::Device& device, const MapDeclaration& map, Resolution height_map) {
+std::string unsupported_volume(const gpu::Device& device, const MapDeclaration& map, vk::Extent2D extent, int slices) {
+    vk::Extent3D largest;
+    try {
+        largest =
+            device.handles()
+                .physical_device
+                .getImageFormatProperties(vulkan_format(map), vk::ImageType::e3D, vk::ImageTiling::eOptimal, map_usage)
+                .maxExtent;
+    } catch (const vk::FormatNotSupportedError&) {
+        return fmt::format("{} has no three-dimensional images of format {} to write", device.info().name, map.format);
+    }
+    const auto depth = static_cast<std::uint32_t>(slices);
+    if (extent.width <= largest.width && extent.height <= largest.height && depth <= largest.depth) return {};
+    return fmt::format("the map '{}' would be {}x{}x{}; {} has three-dimensional images up to {}x{}x{}", map.name,
+                       extent.width, extent.height, depth, device.info().name, largest.width, largest.height,
+                       largest.depth);
+}
+
+std::string unsupported_map(const gpu::Device& device, const MapDeclaration& map, const ParameterValues& parameters,
+                            Resolution height_map) {
     const vk::Extent2D extent = map_extent(map, height_map);
     if (static_cast<int>(std::max(extent.width, extent.height)) > device.info().max_image_side)
         return fmt::format("the map '{}' would be {}x{}; {} has images up to {} on a side", map.name, extent.width,
@@ -23,13 +42,14 @@ std::string unsupported_map(const gpu::Device& device, const MapDeclaration& map
     const bool writable = basic || device.info().has_feature("shaderStorageImageExtendedFormats");
     if (!writable || (properties.optimalTilingFeatures & needed) != needed)
         return fmt::format("{} cannot write or filter maps of format {}", device.info().name, map.format);
+    if (map.is_volume()) return unsupported_volume(device, map, extent, map.slices(parameters));
     return {};
 }
 
 }  // namespace
 
-std::string unsupported_reason(const gpu::Device& device, const Technique& technique, const View& view,
-                               Resolution height_map) {
+std::string unsupported_reason(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
+                               const View& view, Resolution height_map) {
     const gpu::DeviceInfo& info = device.info();
     std::vector<std::string> needed = technique.manifest.features;
     needed.emplace_back("fragmentStoresAndAtomics");
@@ -47,7 +67,7 @@ std::string unsupported_reason(const gpu::Device& device, const Technique& techn
         return fmt::format("{}x{} pixels need more work counters than {} holds in a buffer", view.resolution.width,
                            view.resolution.height, info.name);
     for (const MapDeclaration& map : technique.manifest.maps) {
-        const std::string reason = unsupported_map(device, map, height_map);
+        const std::string reason = unsupported_map(device, map, parameters, height_map);
         if (!reason.empty()) return reason;
     }
     return {};

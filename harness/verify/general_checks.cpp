@@ -142,7 +142,8 @@ std::size_t pixels_with_steps_but_no_taps(const Probe& probe) {
 
 bool check_supported(CheckList& list) {
     const Circumstance first = picture_circumstances().front();
-    const std::string reason = unsupported_reason(list.device(), list.technique(), first.view, first.map_size);
+    const std::string reason =
+        unsupported_reason(list.device(), list.technique(), list.manifest().defaults(), first.view, first.map_size);
     if (reason.empty()) return true;
     list.check("runs on this device", list.device().info().name, [&]() -> Finding {
         return {true, "skipped: " + reason};

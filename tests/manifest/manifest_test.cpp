@@ -79,6 +79,7 @@ TEST(Manifest, IsReadInFull) {
     EXPECT_TRUE(manifest.maps[0].mip_chain);
     EXPECT_EQ(manifest.maps[1].size, MapDeclaration::Size::height_map);
     EXPECT_TRUE(manifest.maps[1].linear_filter);
+    EXPECT_FALSE(manifest.maps[1].is_volume());
     ASSERT_EQ(manifest.passes.size(), 3U);
     EXPECT_EQ(manifest.passes[1].levels, PassDeclaration::Levels::above_base);
     EXPECT_EQ(manifest.passes[2].shader, "sub/search.glsl");
@@ -88,6 +89,13 @@ TEST(Manifest, IsReadInFull) {
     EXPECT_EQ(manifest.promises[0].halvings, "binary_steps");
     EXPECT_EQ(manifest.promises[1].with.at("bias"), ParameterValue(0.0));
     EXPECT_EQ(manifest.defaults().at("leaf"), ParameterValue(std::string("exact")));
+}
+
+TEST(Manifest, DepthIsANumberOrAParameter) {
+    EXPECT_EQ(parse(with("/maps/1/depth", 7)).maps[1].slices({}), 7);
+    const MapDeclaration map = parse(with("/maps/1/depth", "max_steps")).maps[1];
+    EXPECT_TRUE(map.is_volume());
+    EXPECT_EQ(map.slices({{"max_steps", std::int64_t{9}}}), 9);
 }
 
 TEST(Manifest, PatchesNameTheirParameterAndNeedTessellation) {
@@ -158,6 +166,11 @@ TEST(Manifest, WhatIsWrongIsNamedWithItsPlace) {
         {"/maps/2", R"({"name": "idle", "format": "r8"})", "no pass writes the map 'idle'"},
         {"/maps/1/mip_chain", "true", "no pass writes the levels above the base of the map 'cones'"},
         {"/maps/0/mip_chain", "false", "$.passes[1]: the map 'tree' has no level above its base"},
+        {"/maps/0/depth", "4", "$.maps[0].depth: a map of three dimensions has one level"},
+        {"/maps/1/depth", "0", "$.maps[1].depth"},
+        {"/maps/1/depth", "\"max_step\"", "no parameter 'max_step' (did you mean 'max_steps'?)"},
+        {"/maps/1/depth", "\"adaptive\"", "the parameter 'adaptive' must be of type integer"},
+        {"/maps/1/depth", "\"binary_steps\"", "the range of 'binary_steps' must lie within 1 and 16384"},
         {"/passes/0/writes", "\"tre\"", "$.passes[0].writes: no map 'tre' is declared (did you mean 'tree'?)"},
         {"/passes/0/levels", "\"above_base\"", "$.passes[0]: no earlier pass writes the base of the map 'tree'"},
         {"/passes/1/name", "\"leaves\"", "$.passes[1].name: the name 'leaves' is given twice"},

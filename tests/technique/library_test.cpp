@@ -137,9 +137,24 @@ TEST_F(Compilation, ParametersArriveByNameAndType) {
 TEST_F(Compilation, DeviceLimitsGiveAReason) {
     const TemporaryTechnique folder(Files{{"trace.glsl", flat_trace}});
     const Technique technique = folder.load();
-    EXPECT_EQ(unsupported_reason(device(), technique, make_view(0, Projection::parallel), {256, 256}), "");
+    EXPECT_EQ(unsupported_reason(device(), technique, {}, make_view(0, Projection::parallel), {256, 256}), "");
     const View huge = make_view(0, Projection::parallel, {1 << 20, 16});
-    EXPECT_THAT(unsupported_reason(device(), technique, huge, {256, 256}), HasSubstr("on a side"));
+    EXPECT_THAT(unsupported_reason(device(), technique, {}, huge, {256, 256}), HasSubstr("on a side"));
+}
+
+TEST_F(Compilation, LimitsOfThreeDimensionalMapsGiveAReason) {
+    const std::string parameter =
+        R"({"name": "slices", "type": "integer", "default": 4, "range": [1, 16384], "help": "h"})";
+    const TemporaryTechnique folder(Files{{"technique.json", manifest_json(parameter, R"(,
+            "maps": [{"name": "volume", "format": "r32f", "depth": "slices"}],
+            "passes": [{"name": "fill", "shader": "fill.glsl", "writes": "volume"}])")},
+                                          {"fill.glsl", "void prepare(ivec3 texel) { write_map(vec4(0.0)); }"},
+                                          {"trace.glsl", flat_trace}});
+    const Technique technique = folder.load();
+    const View view = make_view(0, Projection::parallel);
+    EXPECT_EQ(unsupported_reason(device(), technique, {{"slices", std::int64_t{4}}}, view, {64, 64}), "");
+    EXPECT_THAT(unsupported_reason(device(), technique, {{"slices", std::int64_t{16384}}}, view, {64, 64}),
+                HasSubstr("would be 64x64x16384"));
 }
 
 }  // namespace

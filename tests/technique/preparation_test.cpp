@@ -122,6 +122,63 @@ TEST_F(PreparationOnDevice, PassReadsEarlierMapsThroughTheirFilter) {
     EXPECT_EQ(probe.hits.at(3, 3).h, 1.0f);
 }
 
+/// A texel of a volume is told from its place by three numbers; `read` makes of uv what the trace reports.
+TemporaryTechnique::Files volume(const std::string& depth, const std::string& format, const std::string& read) {
+    return {{"technique.json",
+             manifest_json(R"({"name": "slices", "type": "integer", "default": 5, "range": [1, 64], "help": "h"})",
+                           R"(, "maps": [{"name": "places", "format": ")" + format + R"(", "depth": )" + depth +
+                               R"(, "linear_filter": true}, {"name": "copy", "format": "r32f"}],
+                           "passes": [{"name": "fill", "shader": "fill.glsl", "writes": "places"},
+                                      {"name": "flatten", "shader": "flatten.glsl", "writes": "copy"}])")},
+            {"fill.glsl", R"(void prepare(ivec3 texel) {
+                 bool right_size = map_size() == ivec3(height_map_size(), slices);
+                 write_map_at(texel, vec4(right_size ? float(texel.x + 8 * texel.y + 64 * texel.z) / 512.0 : 0.0));
+             })"},
+            {"flatten.glsl", R"(void prepare(ivec2 texel) {
+                 write_map(vec4(tap_map_texel(places, ivec3(texel, min(texel.x, slices - 1)), 0).r));
+             })"},
+            {"trace.glsl", "Trace trace(ReliefRay ray) { return hit_off_ray(ray.uv, " + read + ", 0); }"}};
+}
+
+TEST_F(PreparationOnDevice, FillsThreeDimensionalMaps) {
+    const SceneOnDevice scene(device(), make_map({8, 6}, [](int, int) { return 0.5; }), grey_albedo());
+    const View view = make_view(0, Projection::parallel, {8, 6});
+    const auto value = [](int x, int y, int z) { return static_cast<float>(x + 8 * y + 64 * z) / 512; };
+    const std::string texel = "ivec3(ivec2(floor(ray.uv * vec2(8, 6))), 4)";
+    for (const std::string depth : {"5", R"("slices")"}) {
+        const TemporaryTechnique texels(volume(depth, "r32f", "tap_map_texel(places, " + texel + ", 0).r"));
+        const Probe probe = make_renderer(device(), texels.load(), scene, view).probe();
+        const TemporaryTechnique copied(volume(depth, "r32f", "tap_map(copy, ray.uv, 0.0).r"));
+        const Probe copy = make_renderer(device(), copied.load(), scene, view).probe();
+        for (int y = 0; y < 6; ++y) {
+            for (int x = 0; x < 8; ++x) {
+                ASSERT_EQ(probe.hits.at(x, 5 - y).h, value(x, y, 4)) << x << ' ' << y;
+                ASSERT_EQ(copy.hits.at(x, 5 - y).h, value(x, y, std::min(x, 4))) << x << ' ' << y;
+            }
+        }
+        EXPECT_EQ(probe.work.at(3, 3).taps, 1u);
+        EXPECT_EQ(probe.work.at(3, 3).texels, 1u);
+    }
+}
+
+/// Along u and v the map repeats, beyond the first and the last slice it goes on as they are.
+TEST_F(PreparationOnDevice, ThreeDimensionalMapsFilterAcrossSlices) {
+    const SceneOnDevice scene(device(), make_map({8, 6}, [](int, int) { return 0.5; }), grey_albedo());
+    const View view = make_view(0, Projection::parallel, {8, 6});
+    const auto read = [&](const std::string& u, const std::string& v, const std::string& h) {
+        const TemporaryTechnique folder(
+            volume("\"slices\"", "r32f", "tap_map(places, vec3(" + u + ", " + v + ", " + h + "), 0.0).r"));
+        const Probe probe = make_renderer(device(), folder.load(), scene, view).probe();
+        EXPECT_EQ(probe.work.at(0, 0).texels, 8u);
+        return static_cast<double>(probe.hits.at(0, 0).h) * 512;
+    };
+    EXPECT_NEAR(read("2.0 / 8.0", "2.5 / 6.0", "3.0 / 5.0"), 1.5 + 8 * 2 + 64 * 2.5, 1e-3);
+    EXPECT_NEAR(read("1.0", "0.5 / 6.0", "0.5 / 5.0"), 3.5, 1e-3);
+    EXPECT_NEAR(read("0.5 / 8.0", "-0.5 / 6.0", "0.5 / 5.0"), 8 * 5, 1e-3);
+    EXPECT_NEAR(read("0.5 / 8.0", "0.5 / 6.0", "2.0"), 64 * 4, 1e-3);
+    EXPECT_NEAR(read("0.5 / 8.0", "0.5 / 6.0", "-1.0"), 0, 1e-3);
+}
+
 // lavapipe interpolates r16 and r32f in float, and rounds what it filters from r8 to 8 bits.
 TEST_F(PreparationOnDevice, FilterDeviationIsSmall) {
     const bool cpu = device().info().type == gpu::DeviceType::cpu;
