@@ -119,7 +119,8 @@ ExitCode compare_live(const AbOptions& options) {
     const TechniqueLibrary base = find_techniques(baseline.roots, baseline.shaders);
 
     std::optional<LineFile> evidence;
-    if (!options.output_folder.empty()) evidence.emplace(make_output_folder(options.output_folder) / "pairs.jsonl");
+    if (!options.output_folder.empty())
+        evidence.emplace(make_output_folder(options.output_folder) / "pairs.jsonl", LineFile::Start::created);
 
     const std::vector<HeightMapRecord> maps = inspect_height_maps(sources.cells);
     const gpu::Device device(options.device.options);

@@ -3,14 +3,17 @@
 #include "cli/progress_printer.hpp"
 #include "cli/run_sources.hpp"
 #include "cli/shared_options.hpp"
+#include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/suggest.hpp"
 #include "measure/clock.hpp"
+#include "measure/draw_subject.hpp"
 #include "measure/run.hpp"
 #include "measure/run_record.hpp"
 #include "measure/run_summary.hpp"
 #include "measure/shared_inputs.hpp"
 #include "report/table.hpp"
+#include "store/resume.hpp"
 #include "store/run_folder.hpp"
 
 #include <CLI/CLI.hpp>
@@ -29,6 +32,8 @@ namespace {
 struct RunOptions {
     std::string configuration;
     std::string output;
+    /// Empty, "plain" or "force".
+    std::string resume;
     std::vector<std::string> axes;
     std::vector<std::string> filters;
     std::vector<std::string> exports;
@@ -71,6 +76,46 @@ void warn_of_constant_maps(const std::vector<HeightMapRecord>& maps) {
     }
 }
 
+/// run.json of a run that is gone on with: as it was, with a note of when, where and how it was gone on with.
+Json resumed_record(Json recorded, const Json& now, const std::vector<std::string>& differences) {
+    Json note;
+    for (const char* part : {"environment", "device", "command_line"})
+        note[part] = now.at(part);
+    note["differences"] = differences;
+    recorded["resumed"].push_back(std::move(note));
+    return recorded;
+}
+
+struct OpenedRun {
+    std::unique_ptr<RunWriter> writer;
+    EarlierWork earlier;
+};
+
+/// Goes on with the run in the folder, as far as it is the same one.
+OpenedRun resume_run(const std::filesystem::path& folder, const Json& now, bool force) {
+    const Json recorded = read_run_record(folder);
+    const std::vector<std::string> differences = resume_differences(recorded, now);
+    if (!differences.empty() && !force) {
+        fail("{} cannot be resumed: {}; --resume=force goes on all the same and marks the cells", folder.string(),
+             join(differences, "; "));
+    }
+    for (const std::string& difference : differences)
+        log_warning("resuming although {}", difference);
+    OpenedRun opened;
+    opened.writer =
+        std::make_unique<RunWriter>(folder, resumed_record(recorded, now, differences), RunWriter::Continue{});
+    for (const std::string& repair : opened.writer->repairs())
+        log_warning("{}: {}", folder.string(), repair);
+    opened.earlier = read_earlier_work(folder, draw_pass);
+    opened.earlier.forced = !differences.empty();
+    return opened;
+}
+
+OpenedRun open_run(const std::filesystem::path& folder, const Json& record, const std::string& resume) {
+    if (!resume.empty() && holds_run(folder)) return resume_run(folder, record, resume == "force");
+    return {std::make_unique<RunWriter>(folder, record), {}};
+}
+
 ExitCode report_failures(const std::vector<CellResult>& cells) {
     std::size_t failures = 0;
     for (const CellResult& cell : cells) {
@@ -95,15 +140,21 @@ ExitCode run(const RunOptions& options) {
     record["command_line"] = options.command_line;
     record["filters"] = sources.filters;
     record["technique_directories"] = sources.technique_directories;
-    RunWriter writer(output_folder(options, sources.configuration), record);
+    if (!options.resume.empty() && options.output.empty()) fail("--resume needs -o, the folder of the run");
+    OpenedRun opened = open_run(output_folder(options, sources.configuration), record, options.resume);
+    RunWriter& writer = *opened.writer;
     fmt::print(stderr, "{} cells on {}, results in {}\n", sources.cells.size(), device.info().name,
                writer.folder().string());
+    if (!opened.earlier.finished.empty()) {
+        fmt::print(stderr, "{} of them are finished already\n", opened.earlier.finished.size());
+    }
 
     RunOutcome outcome;
     {
         ProgressPrinter printer;
         outcome = run_cells(device, sources.library, sources.configuration, sources.cells, writer,
-                            [&printer](const Progress& progress) { printer(progress); });
+                            [&printer](const Progress& progress) { printer(progress); }, steady_clock(),
+                            {.in_flight = {}, .earlier = std::move(opened.earlier)});
     }
     outcome.split.total_s = steady_clock().seconds() - start_s;
     fmt::print("{}", format_table(outcome.cells));
@@ -127,6 +178,13 @@ void add_run_command(CLI::App& app, ChosenCommand& chosen, const std::vector<std
         ->add_option("-o,--output", options->output,
                      "Folder for the results; it must not hold a run yet; default: results/<name>-<time>")
         ->type_name("DIR");
+    command
+        ->add_flag(
+            "--resume{plain}", options->resume,
+            "Go on with the run in -o where it was interrupted, or start it where there is none; refused when its "
+            "configuration, maps, shaders or device are not the same, unless --resume=force, which marks the cells")
+        ->type_name("")
+        ->check(CLI::IsMember({"plain", "force"}));
     add_repeated_option(*command, "-a,--axis", options->axes,
                         "Values of an axis or parameter in place of the configuration's: name=v1,v2 or "
                         "name=[start:stop:step] (may be repeated)")

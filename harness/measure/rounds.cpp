@@ -28,8 +28,13 @@ public:
            const RoundCallbacks& callbacks)
         : rule_(rule), sampling_(sampling), callbacks_(callbacks) {
         assert(sampling.in_flight > 0);
+        assert(sampling.earlier.empty() || sampling.earlier.size() == subjects.size());
         for (Subject* subject : subjects) {
             states_.push_back({subject});
+        }
+        for (std::size_t subject = 0; subject < sampling.earlier.size(); ++subject) {
+            states_[subject].result.samples = sampling.earlier[subject].samples;
+            states_[subject].device_s = sampling.earlier[subject].device_s;
         }
     }
 
@@ -39,7 +44,7 @@ public:
         }
         if (callbacks_.on_warm) callbacks_.on_warm();
         Random random(sampling_.seed);
-        for (int round = 0;; ++round) {
+        for (int round = sampling_.first_round;; ++round) {
             std::vector<std::size_t> order = unsettled();
             if (order.empty()) break;
             random.shuffle(std::span<std::size_t>(order));

@@ -26,12 +26,23 @@ struct Visit {
 /// throttled visits count.
 inline constexpr std::size_t most_throttled_repeats = 10;
 
+/// What an interrupted execution has of a subject.
+struct EarlierSamples {
+    SampleRounds samples;
+    /// The device's time in them.
+    double device_s = 0;
+};
+
 struct RoundSampling {
     int samples_per_visit = 1;
     std::uint64_t seed = 1;
     /// Visits that the device may have at once: with two it goes on while the host reads and writes the one before.
     /// Where the host's work would take processors away from the device, one.
     std::size_t in_flight = 1;
+    /// By subject; empty where nothing was sampled before.
+    std::vector<EarlierSamples> earlier = {};
+    /// The number of the first round: earlier samples have those before.
+    int first_round = 0;
 };
 
 /// What the sampler asks and tells; all but the first two may be empty.

@@ -31,9 +31,20 @@ double total_ms(const std::vector<double>& samples) {
     return sum;
 }
 
-std::size_t cells_to_measure(const std::vector<Cell>& cells) {
-    return static_cast<std::size_t>(
-        std::count_if(cells.begin(), cells.end(), [](const Cell& cell) { return cell.skip_reason.empty(); }));
+std::size_t cells_to_measure(const std::vector<Cell>& cells, const EarlierWork& earlier) {
+    return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), [&](const Cell& cell) {
+        return cell.skip_reason.empty() && !earlier.finished.contains(cell.id);
+    }));
+}
+
+/// The rounds that an interrupted execution has of a cell.
+EarlierSamples earlier_samples(const std::vector<RawSamples>& visits) {
+    EarlierSamples earlier;
+    for (const RawSamples& visit : visits) {
+        earlier.samples[visit.pass].push_back(visit.ms);
+        earlier.device_s += total_ms(visit.ms) * visit.repeats / 1000.0;
+    }
+    return earlier;
 }
 
 /// Of what the rule asks for; time says nothing about rounds.
@@ -55,24 +66,29 @@ public:
           writer_(writer),
           on_progress_(on_progress),
           clock_(clock),
+          earlier_(options.earlier),
           start_s_(clock.seconds()),
           in_flight_(options.in_flight.value_or(device.info().type == gpu::DeviceType::cpu ? 1 : 2)),
           device_state_(gpu::open_device_state(device)),
           recent_state_(*device_state_, clock),
           rule_(make_stopping_rule(configuration.sampling)),
-          estimate_(cells_to_measure(cells), least_rounds(configuration.sampling)),
+          estimate_(cells_to_measure(cells, options.earlier), least_rounds(configuration.sampling)),
           inputs_(device, configuration.lighting, configuration.truth),
           results_(cells.size()) {}
 
     RunOutcome run() {
         for (std::size_t index = 0; index < cells_.size(); ++index) {
-            if (!cells_[index].skip_reason.empty()) {
+            if (const auto finished = earlier_.finished.find(cells_[index].id); finished != earlier_.finished.end()) {
+                results_[index] = finished->second;
+                ++cells_done_;
+            } else if (!cells_[index].skip_reason.empty()) {
                 finish_without_timing(index, CellStatus::skipped, cells_[index].skip_reason);
             }
         }
         const std::vector<Block> blocks = make_blocks(cells_);
         for (std::size_t block = 0; block < blocks.size(); ++block) {
-            measure_block(blocks[block], block, mix_bits(configuration_.seed + block));
+            const std::vector<std::size_t> unfinished = without_finished(blocks[block].cells);
+            if (!unfinished.empty()) measure_block(unfinished, block, mix_bits(configuration_.seed + block));
         }
         split_.total_s = clock_.seconds() - start_s_;
         split_.truth_s = inputs_.truth_seconds();
@@ -86,15 +102,20 @@ private:
         CellResult result;
     };
 
-    void measure_block(const Block& block, std::size_t number, std::uint64_t seed) {
+    std::vector<std::size_t> without_finished(std::vector<std::size_t> cells) const {
+        std::erase_if(cells, [this](std::size_t index) { return earlier_.finished.contains(cells_[index].id); });
+        return cells;
+    }
+
+    void measure_block(const std::vector<std::size_t>& cells, std::size_t number, std::uint64_t seed) {
         std::vector<ViewKey> views;
-        for (std::size_t index : block.cells) {
+        for (std::size_t index : cells) {
             views.push_back(cells_[index].view);
         }
         inputs_.keep_only(views);
         std::vector<ReadyCell> ready;
-        ready.reserve(block.cells.size());
-        for (std::size_t index : block.cells) {
+        ready.reserve(cells.size());
+        for (std::size_t index : cells) {
             const double begin_s = clock_.seconds();
             std::optional<ReadyCell> cell = make_ready(index);
             estimate_.add_preparation(clock_.seconds() - begin_s);
@@ -168,13 +189,27 @@ private:
             subjects.push_back(&sampling.draws.back());
         }
         sampling.visits.resize(ready.size());
-        const RoundSampling rounds{
+        RoundSampling rounds{
             .samples_per_visit = configuration_.sampling.samples_per_visit, .seed = seed, .in_flight = in_flight_};
+        go_on_from_earlier(ready, rounds);
         std::vector<SampledSubject> sampled = sample_in_rounds(subjects, *rule_, rounds, callbacks(sampling));
         split_.timing_s += sampling.last_visit_s - sampling.first_visit_s;
         for (std::size_t subject = 0; subject < ready.size(); ++subject) {
             finish(ready[subject], std::move(sampled[subject]), sampling.draws[subject].repeats());
         }
+    }
+
+    void go_on_from_earlier(const std::vector<ReadyCell>& ready, RoundSampling& rounds) const {
+        for (const ReadyCell& cell : ready) {
+            const auto found = earlier_.visits.find(cell.result.cell);
+            rounds.earlier.push_back(found == earlier_.visits.end() ? EarlierSamples{}
+                                                                    : earlier_samples(found->second));
+            if (found != earlier_.visits.end())
+                rounds.first_round = std::max(rounds.first_round, found->second.back().round + 1);
+        }
+        // Rounds that go on are not in the order of those at the start.
+        if (rounds.first_round > 0)
+            rounds.seed = mix_bits(rounds.seed + static_cast<std::uint64_t>(rounds.first_round));
     }
 
     RoundCallbacks callbacks(Sampling& sampling) {
@@ -252,6 +287,7 @@ private:
     }
 
     void record(std::size_t index, CellResult result) {
+        result.forced_resume = earlier_.forced;
         writer_.append_cell(result);
         results_[index] = std::move(result);
         ++cells_done_;
@@ -278,6 +314,7 @@ private:
     RunWriter& writer_;
     const std::function<void(const Progress&)>& on_progress_;
     const Clock& clock_;
+    const EarlierWork& earlier_;
     double start_s_;
     std::size_t in_flight_;
     std::unique_ptr<gpu::DeviceStateSource> device_state_;

@@ -2,6 +2,7 @@
 
 #include "measure/clock.hpp"
 #include "store/cell_result.hpp"
+#include "store/resume.hpp"
 #include "store/run_folder.hpp"
 #include "sweep/configuration.hpp"
 #include "technique/technique.hpp"
@@ -44,6 +45,9 @@ struct MeasureOptions {
     /// Visits that the device may have at once; empty: one on a CPU device, where the host's work would take processors
     /// away from the samples, else two.
     std::optional<std::size_t> in_flight;
+    /// Of an interrupted execution of the same cells: finished ones stay as they are, the others go on with the rounds
+    /// they have.
+    EarlierWork earlier = {};
 };
 
 struct RunOutcome {

@@ -243,13 +243,14 @@ Json to_json(const CellResult& result) {
     }
     json["error"] = fields_or_null(result.error);
     json["image"] = fields_or_null(result.image);
+    if (result.forced_resume) json["forced_resume"] = true;
     return json;
 }
 
 CellResult parse_cell_result(const Json& json, const std::string& file) {
     const JsonView view(json, file);
     view.require_only({"cell", "technique", "axes", "params", "status", "reason", "time", "prepare", "work", "pipeline",
-                       "executable", "error", "image"});
+                       "executable", "error", "image", "forced_resume"});
     const JsonView prepare = view.at("prepare");
     prepare.require_only({"ms", "bytes"});
     CellResult result;
@@ -272,6 +273,7 @@ CellResult parse_cell_result(const Json& json, const std::string& file) {
     if (view.has("executable")) result.executable = read_executable(view.at("executable"));
     result.error = optional(view.at("error"), read_errors);
     result.image = optional(view.at("image"), read_image);
+    if (view.has("forced_resume")) result.forced_resume = view.at("forced_resume").boolean();
     return result;
 }
 

@@ -93,6 +93,9 @@ struct CellResult {
         std::optional<double> flip, psnr, ssim, rmse;
     };
     std::optional<ImageFields> image;
+
+    /// Finished by a run that was gone on with though its environment had changed (`--resume=force`).
+    bool forced_resume = false;
 };
 
 Json to_json(const CellResult& result);

@@ -3,7 +3,10 @@
 #include "core/error.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
+
+#include <algorithm>
 
 #include <cassert>
 #include <cerrno>
@@ -27,12 +30,53 @@ bool write_all(int descriptor, std::string_view text) {
     return true;
 }
 
+/// How many bytes of the file are whole lines.
+std::size_t whole_lines(int descriptor, std::size_t size) {
+    constexpr std::size_t chunk = 65536;
+    std::string text(chunk, '\0');
+    for (std::size_t end = size; end > 0;) {
+        const std::size_t begin = end - std::min(end, chunk);
+        const ssize_t count = ::pread(descriptor, text.data(), end - begin, static_cast<off_t>(begin));
+        if (count != static_cast<ssize_t>(end - begin)) fail("{}", std::strerror(errno));
+        const std::size_t newline = std::string_view(text).substr(0, end - begin).rfind('\n');
+        if (newline != std::string_view::npos) return begin + newline + 1;
+        end = begin;
+    }
+    return 0;
+}
+
 }  // namespace
 
-LineFile::LineFile(const std::filesystem::path& path)
+LineFile::LineFile(const std::filesystem::path& path, Start start)
     : path_(path),
-      descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, read_and_write_for_all)) {
-    if (descriptor_ < 0) fail("cannot create {}: {}", path_.string(), std::strerror(errno));
+      descriptor_(::open(path.c_str(), O_RDWR | O_CREAT | (start == Start::created ? O_EXCL : 0) | O_APPEND | O_CLOEXEC,
+                         read_and_write_for_all)) {
+    if (descriptor_ < 0) {
+        fail("cannot {} {}: {}", start == Start::created ? "create" : "open", path_.string(), std::strerror(errno));
+    }
+    try {
+        if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+            fail("{} is being written by another process; wait for it, or choose another folder", path_.string());
+        }
+        if (start == Start::continued) repair();
+    } catch (const Error&) {
+        ::close(descriptor_);
+        throw;
+    }
+}
+
+void LineFile::repair() {
+    const off_t size = ::lseek(descriptor_, 0, SEEK_END);
+    if (size < 0) fail("cannot read {}: {}", path_.string(), std::strerror(errno));
+    try {
+        size_ = whole_lines(descriptor_, static_cast<std::size_t>(size));
+    } catch (const Error& error) {
+        fail("cannot read {}: {}", path_.string(), error.what());
+    }
+    repaired_bytes_ = static_cast<std::size_t>(size) - size_;
+    if (repaired_bytes_ > 0 && ::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) {
+        fail("cannot take the incomplete last line out of {}: {}", path_.string(), std::strerror(errno));
+    }
 }
 
 LineFile::~LineFile() {

@@ -1,16 +1,24 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string_view>
 
 namespace reliefbench {
 
 /// A file of whole lines that only grows. Every append is handed to the system at once, so that lines outlive the
-/// process; one that fails is an Error and is taken back, so that no reader ever sees half a line.
+/// process; one that fails is an Error and is taken back, so that no reader ever sees half a line. One process at a
+/// time writes to it: a second one gets an Error.
 class LineFile {
 public:
-    /// Creates the file; one that exists already is an Error.
-    explicit LineFile(const std::filesystem::path& path);
+    enum class Start {
+        /// Creates the file; one that exists already is an Error.
+        created,
+        /// Goes on after what is there, whole lines only: a last line that was cut short is taken out. A file that is
+        /// missing is created.
+        continued,
+    };
+    LineFile(const std::filesystem::path& path, Start start);
     ~LineFile();
     LineFile(const LineFile&) = delete;
     LineFile& operator=(const LineFile&) = delete;
@@ -18,11 +26,17 @@ public:
     /// `line` without its end, and with none inside.
     void append(std::string_view line);
 
+    /// Of the last line, cut short, that was taken out at the start.
+    std::size_t repaired_bytes() const { return repaired_bytes_; }
+
 private:
+    void repair();
+
     std::filesystem::path path_;
     int descriptor_ = -1;
     /// Bytes of whole lines.
     std::size_t size_ = 0;
+    std::size_t repaired_bytes_ = 0;
 };
 
 }  // namespace reliefbench

@@ -81,9 +81,9 @@ RunWriter::RunWriter(const std::filesystem::path& folder, const Json& run) : fol
     const bool made_folder = !is_there(folder);
     make_folder(folder);
     try {
-        cells_.emplace(folder / cells_file);
-        samples_.emplace(folder / samples_file);
-        rounds_.emplace(folder / rounds_file);
+        cells_.emplace(folder / cells_file, LineFile::Start::created);
+        samples_.emplace(folder / samples_file, LineFile::Start::created);
+        rounds_.emplace(folder / rounds_file, LineFile::Start::created);
         write_text_file(folder / run_file, dump_document(run));
     } catch (const Error&) {
         std::error_code ignored;
@@ -93,6 +93,18 @@ RunWriter::RunWriter(const std::filesystem::path& folder, const Json& run) : fol
         if (made_folder) std::filesystem::remove(folder, ignored);
         throw;
     }
+}
+
+RunWriter::RunWriter(const std::filesystem::path& folder, const Json& run, Continue /*tag*/) : folder_(folder) {
+    for (const auto& [name, file] :
+         {std::pair(cells_file, &cells_), std::pair(samples_file, &samples_), std::pair(rounds_file, &rounds_)}) {
+        file->emplace(folder / name, LineFile::Start::continued);
+        if (const std::size_t bytes = (*file)->repaired_bytes(); bytes > 0) {
+            repairs_.push_back(
+                fmt::format("{}: the last line was cut short after {} bytes and is taken out", name, bytes));
+        }
+    }
+    write_text_file(folder / run_file, dump_document(run));
 }
 
 void RunWriter::append_cell(const CellResult& result) {
@@ -134,12 +146,27 @@ std::filesystem::path RunWriter::image_path(const std::string& cell, const std::
     return images / (image_name(cell) + suffix);
 }
 
-Run read_run(const std::filesystem::path& folder) {
+bool holds_run(const std::filesystem::path& folder) {
+    if (is_there(folder / run_file)) return true;
+    for (const char* file : {cells_file, samples_file, rounds_file}) {
+        std::error_code error;
+        if (std::filesystem::file_size(folder / file, error) == 0 && !error) {
+            std::filesystem::remove(folder / file, error);
+        }
+    }
+    return false;
+}
+
+Json read_run_record(const std::filesystem::path& folder) {
     if (!is_there(folder / run_file)) {
         fail("{} holds no run: there is no {} in it", folder.string(), run_file);
     }
+    return read_json_file(folder / run_file);
+}
+
+Run read_run(const std::filesystem::path& folder) {
     Run run;
-    run.run = read_json_file(folder / run_file);
+    run.run = read_run_record(folder);
     const std::filesystem::path cells_path = folder / cells_file;
     const std::string cells = read_text_file(cells_path);
     std::set<std::string> ids;

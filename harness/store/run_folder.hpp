@@ -37,12 +37,17 @@ struct RoundRecord {
     std::optional<bool> throttled = {};
 };
 
-/// Writes a run's folder. Creating it is an Error when the folder cannot be written or already holds a run (run.json).
-/// Every append is one whole line and is flushed; a write that fails (a full disk) is an Error and leaves the file
-/// with whole lines only.
+/// Writes a run's folder. Every append is one whole line and is flushed; a write that fails (a full disk) is an Error
+/// and leaves the file with whole lines only. One process at a time: a second one gets an Error.
 class RunWriter {
 public:
+    /// Creates the run: an Error when the folder cannot be written or already holds one.
     RunWriter(const std::filesystem::path& folder, const Json& run);
+
+    struct Continue {};
+    /// Goes on with a run that was interrupted, with `run` in place of its run.json. Last lines that were cut short are
+    /// taken out and told.
+    RunWriter(const std::filesystem::path& folder, const Json& run, Continue);
 
     void append_cell(const CellResult& result);
     void append_samples(const RawSamples& samples);
@@ -53,12 +58,15 @@ public:
     std::filesystem::path image_path(const std::string& cell, const std::string& suffix);
 
     const std::filesystem::path& folder() const { return folder_; }
+    /// What was mended in files of the interrupted run, in words.
+    const std::vector<std::string>& repairs() const { return repairs_; }
 
 private:
     std::filesystem::path folder_;
     std::optional<LineFile> cells_;
     std::optional<LineFile> samples_;
     std::optional<LineFile> rounds_;
+    std::vector<std::string> repairs_;
 };
 
 /// A run as read back.
@@ -69,5 +77,12 @@ struct Run {
 
 /// Strict: a line that is cut short, is no cell result or repeats a cell is an Error.
 Run read_run(const std::filesystem::path& folder);
+
+/// run.json alone.
+Json read_run_record(const std::filesystem::path& folder);
+
+/// Whether there is a run.json. A folder in which a run was interrupted before it had one holds empty files at most;
+/// they are removed.
+bool holds_run(const std::filesystem::path& folder);
 
 }  // namespace reliefbench

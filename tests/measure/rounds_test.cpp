@@ -299,6 +299,37 @@ TEST(Rounds, AFailureInFlightLeavesTheOthersAlone) {
     EXPECT_EQ(std::count(log.begin(), log.end(), "lose x"), 1);
 }
 
+TEST(Rounds, GoOnFromEarlierRounds) {
+    std::vector<std::string> log;
+    SplitSubject started("started", log);
+    SplitSubject done("done", log);
+    std::vector<int> rounds;
+    RoundCallbacks callbacks;
+    callbacks.on_visit = [&rounds](const Visit& visit) { rounds.push_back(visit.round); };
+    callbacks.on_failure = [](std::size_t, const std::string& reason) { FAIL() << reason; };
+    RoundSampling sampling{.first_round = 3};
+    sampling.earlier = {{{{"draw", {{7}, {8}}}}, 0}, {{{"draw", {{1}, {2}, {3}}}}, 0}};
+    const auto sampled = sample_in_rounds({&started, &done}, *make_fixed_rule(3), sampling, callbacks);
+    EXPECT_THAT(rounds, ElementsAre(3)) << "one of three rounds was missing";
+    EXPECT_THAT(log, ElementsAre("submit started", "collect started"));
+    EXPECT_EQ(sampled[0].samples.at("draw"), (std::vector<std::vector<double>>{{7}, {8}, {1}}));
+    EXPECT_EQ(sampled[1].samples.at("draw").size(), 3U);
+    EXPECT_EQ(sampled[1].stop, StopReason::rounds);
+}
+
+TEST(Rounds, EarlierDeviceTimeIsSpent) {
+    std::vector<std::string> log;
+    SplitSubject subject("x", log);
+    RoundCallbacks callbacks;
+    std::size_t visits = 0;
+    callbacks.on_visit = [&visits](const Visit&) { ++visits; };
+    callbacks.on_failure = [](std::size_t, const std::string& reason) { FAIL() << reason; };
+    RoundSampling sampling;
+    sampling.earlier = {{{{"draw", {{1}, {1}}}}, 1.0}};
+    sample_in_rounds({&subject}, *make_time_rule(1.5), sampling, callbacks);
+    EXPECT_EQ(visits, 1U);
+}
+
 TEST(Rounds, TheDeviceTimeOfASampleCountsItsRepeats) {
     std::vector<std::string> log;
     SplitSubject subject("x", log);

@@ -152,6 +152,50 @@ TEST_F(RunFolder, ARunThatCannotBeginLeavesNothing) {
     EXPECT_FALSE(fs::exists(folder));
 }
 
+TEST_F(RunFolder, GoesOnAfterTheLastWholeLine) {
+    { RunWriter(folder, record).append_cell(result_of("a")); }
+    std::ofstream(folder / "cells.jsonl", std::ios::app) << R"({"cell":"b","techni)";
+    fs::remove(folder / "rounds.jsonl");
+    const Json resumed = {{"configuration", {{"name", "quick"}}}, {"resumed", Json::array({1})}};
+    {
+        RunWriter writer(folder, resumed, RunWriter::Continue{});
+        EXPECT_THAT(writer.repairs(),
+                    testing::ElementsAre("cells.jsonl: the last line was cut short after 19 bytes and is taken out"));
+        writer.append_cell(result_of("b"));
+        writer.append_round({});
+    }
+    const reliefbench::Run run = read_run(folder);
+    EXPECT_EQ(run.run, resumed);
+    ASSERT_EQ(run.cells.size(), 2U);
+    EXPECT_EQ(run.cells[1].cell, "b");
+}
+
+TEST_F(RunFolder, AFileWithoutAnyWholeLineIsEmptied) {
+    { RunWriter writer(folder, record); }
+    write_text_file(folder / "samples.jsonl", std::string(200000, 'x'));
+    RunWriter writer(folder, record, RunWriter::Continue{});
+    EXPECT_EQ(fs::file_size(folder / "samples.jsonl"), 0U);
+}
+
+TEST_F(RunFolder, OnlyOneProcessWritesToARun) {
+    const RunWriter writer(folder, record);
+    EXPECT_THAT(error_message([&] { RunWriter(folder, record, RunWriter::Continue{}); }),
+                testing::HasSubstr("is being written by another process"));
+}
+
+TEST_F(RunFolder, WhatNeverBeganHoldsNoRun) {
+    fs::create_directories(folder);
+    EXPECT_FALSE(holds_run(folder));
+    write_text_file(folder / "cells.jsonl", "");
+    EXPECT_FALSE(holds_run(folder));
+    EXPECT_FALSE(fs::exists(folder / "cells.jsonl"));
+    write_text_file(folder / "cells.jsonl", "precious\n");
+    EXPECT_FALSE(holds_run(folder));
+    EXPECT_TRUE(fs::exists(folder / "cells.jsonl"));
+    write_text_file(folder / "run.json", "{}");
+    EXPECT_TRUE(holds_run(folder));
+}
+
 TEST_F(RunFolder, ImagesAreNamedAfterTheirCells) {
     RunWriter writer(folder, record);
     EXPECT_FALSE(fs::exists(folder / "images"));
