@@ -126,6 +126,18 @@ TEST_F(BrokenCopies, ConservativeFindsBoxesPassedThroughToTheirFarWall) {
         Promise::conservative);
 }
 
+TEST_F(BrokenCopies, ConservativeFindsDistancesNotReducedByTheVoxel) {
+    expect_broken_promise(
+        BrokenCopy("distance_map", "surface_distances.glsl", "nearest - 0.5 * length(voxel)", "nearest"),
+        Promise::conservative);
+}
+
+TEST_F(BrokenCopies, ConservativeFindsStepsAlongTheHeightAlone) {
+    expect_broken_promise(
+        BrokenCopy("distance_map", "trace.glsl", "length(vec3(ray.max_offset, metric_height))", "metric_height"),
+        Promise::conservative);
+}
+
 TEST_F(BrokenCopies, TimedAndProbedMustAgree) {
     const BrokenCopy copy("steep", "trace.glsl", "    return hit_on_ray(crossing.s_below, crossing.steps);",
                           "#ifndef RELIEFBENCH_PROBED\n"

@@ -54,6 +54,7 @@ TEST(Promises, ShippedTechniquesMakeThese) {
         {"secant",
          {{"order_1", "adaptive=false secant_steps=0", ""}, {"order_2", "adaptive=false secant_steps=1", ""}}},
         {"tessellation", {}},
+        {"distance_map", {{"conservative", "", ""}, {"conservative", "max_steps=256 slices=64", ""}}},
     };
     for (const auto& [id, promises] : expected)
         EXPECT_EQ(promises_of(shipped(id).manifest), promises) << id;
