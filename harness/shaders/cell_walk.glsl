@@ -13,6 +13,7 @@ struct CellRay {
     vec2 direction;  // cells travelled from h = 1 to h = 0
     vec2 inverse;
     bvec2 forward;
+    ivec2 size;      // of the map
 };
 
 struct Place {
@@ -33,8 +34,9 @@ struct Node {
 // `entry`: where the ray enters the relief, in cells.
 CellRay to_cells(ReliefRay ray, vec2 entry) {
     CellRay cells;
+    cells.size = height_map_size();
     cells.origin = entry - floor(entry);
-    cells.direction = ray.max_offset * vec2(height_map_size());
+    cells.direction = ray.max_offset * vec2(cells.size);
     bvec2 still = lessThan(abs(cells.direction), vec2(slowest));
     cells.forward = bvec2(still.x || cells.direction.x > 0.0, still.y || cells.direction.y > 0.0);
     cells.inverse = 1.0 / mix(cells.direction, vec2(slowest), still);
@@ -54,7 +56,7 @@ Node node_at(CellRay ray, Place place, int tree_level) {
     Node node;
     node.index = place.cell >> tree_level;
     node.low = node.index << tree_level;
-    node.high = min(node.low + (1 << tree_level), height_map_size());
+    node.high = min(node.low + (1 << tree_level), ray.size);
     node.walls = (vec2(place.shift + mix(node.low, node.high, ray.forward)) - ray.origin) * ray.inverse;
     node.exit = clamp(min(node.walls.x, node.walls.y), place.s, 1.0);
     return node;
@@ -70,12 +72,12 @@ Place move_within(CellRay ray, Place place, Node node, float s) {
 // Through the nearer wall into the neighbouring cell, which may lie in the next repeat of the map.
 Place cross_wall(CellRay ray, Place place, Node node) {
     place = move_within(ray, place, node, node.exit);
-    int axis = node.walls.x <= node.walls.y ? 0 : 1;
-    int size = height_map_size()[axis];
-    int beyond = ray.forward[axis] ? node.high[axis] : node.low[axis] - 1;
-    int wrapped = beyond == size ? 0 : beyond < 0 ? size - 1 : beyond;
-    place.shift[axis] += beyond - wrapped;
-    place.cell[axis] = wrapped;
+    bool along_u = node.walls.x <= node.walls.y;
+    bvec2 crossed = bvec2(along_u, !along_u);
+    ivec2 beyond = mix(node.low - 1, node.high, ray.forward);
+    ivec2 wrapped = mix(mix(beyond, ivec2(0), equal(beyond, ray.size)), ray.size - 1, lessThan(beyond, ivec2(0)));
+    place.shift += mix(ivec2(0), beyond - wrapped, crossed);
+    place.cell = mix(place.cell, wrapped, crossed);
     return place;
 }
 

@@ -1,12 +1,4 @@
-#include "cell_walk.glsl"
-
-// Traversal of the maximum quadtree over bilinear cells: each iteration goes one level down or one node on. None is
-// skipped, and none repeats.
-
-// The node's highest point; beneath it the ray may hit.
-float tap_top(Node node, int tree_level) {
-    return tap_map_texel(quadtree, node.index, tree_level).r;
-}
+#include "quadtree_walk.glsl"
 
 // As published: the chord between the filtered heights at both ends of the node.
 float cross_leaf_linear(ReliefRay ray, Place place, Node node) {
@@ -27,10 +19,16 @@ float cross_leaf_corners(CellRay ray, Place place, Node node) {
                        vec3(corner + node.exit * way, 1.0 - node.exit));
 }
 
-float cross_leaf(ReliefRay ray, CellRay cells, Place place, Node node, int leaf_level) {
-    if (leaf == leaf_none) return 0.0;
-    if (leaf == leaf_linear) return cross_leaf_linear(ray, place, node);
-    return leaf_level == 0 ? cross_cell(cells, place, node) : cross_leaf_corners(cells, place, node);
+// The fraction of the ray's way from its place to the leaf's wall at which it hits, or no_crossing.
+float cross_leaf(ReliefRay ray, CellRay cells, int leaf_level, inout Walk walk) {
+    // The exact leaf reads a cell's corners in one tap, which makes a look at its maximum needless.
+    if (leaf == leaf_exact && leaf_level == 0) return cross_cell(cells, walk.place, walk.node);
+    float top = tap_map_texel(quadtree, walk.node.index, leaf_level).r;
+    if (1.0 - walk.node.exit >= top) return no_crossing;
+    if (leaf == leaf_exact) return cross_leaf_corners(cells, walk.place, walk.node);
+    if (leaf == leaf_linear) return cross_leaf_linear(ray, walk.place, walk.node);
+    walk.place = move_within(cells, walk.place, walk.node, max(walk.place.s, 1.0 - top));
+    return 0.0;
 }
 
 // Nodes about a quarter of the way that the ray covers in the relief: larger ones rarely let it pass.
@@ -63,36 +61,14 @@ int step_cap(ReliefRay ray) {
 Trace trace(ReliefRay ray) {
     vec2 entry = ray.uv * vec2(height_map_size()) - 0.5;
     CellRay cells = to_cells(ray, entry);
-    Place place = enter_map(entry);
     int leaf_level = finest_leaf(ray);
-    // The exact leaf reads a cell's corners in one tap, which makes a look at its maximum needless.
-    bool looks_at_leaves = leaf != leaf_exact || leaf_level > 0;
-    int tree_level = start_level(cells, leaf_level);
-    int cap = step_cap(ray);
-
-    for (int steps = 1; steps <= cap; ++steps) {
-        Node node = node_at(cells, place, tree_level);
-        bool is_leaf = tree_level == leaf_level;
-        if (!is_leaf || looks_at_leaves) {
-            float top = tap_top(node, tree_level);
-            bool blocked = 1.0 - node.exit < top;
-            if (blocked && (!is_leaf || leaf == leaf_none)) place = move_within(cells, place, node, max(place.s, 1.0 - top));
-            if (blocked && !is_leaf) {
-                tree_level -= 1;
-                continue;
-            }
-            is_leaf = is_leaf && blocked;
-        }
-        if (is_leaf) {
-            float fraction = cross_leaf(ray, cells, place, node, leaf_level);
-            if (fraction >= 0.0) return hit_on_ray(mix(place.s, node.exit, fraction), steps);
-        }
-        if (node.exit >= 1.0) return hit_on_ray(1.0, steps);
-
-        place = cross_wall(cells, place, node);
-        // The parent that the ray just left had blocked it; the one that it enters may not.
-        bool new_parent = (place.cell >> (tree_level + 1)) != (node.index >> 1);
-        if (ascend && new_parent) tree_level = min(tree_level + 1, textureQueryLevels(quadtree) - 1);
+    // Without the ascent the walk goes up nowhere.
+    int top_level = ascend ? textureQueryLevels(quadtree) - 1 : 0;
+    Walk walk = begin_walk(entry, start_level(cells, leaf_level));
+    while (walk_to_leaf(cells, quadtree, leaf_level, top_level, step_cap(ray), walk)) {
+        float fraction = cross_leaf(ray, cells, leaf_level, walk);
+        if (fraction >= 0.0) return hit_on_ray(mix(walk.place.s, walk.node.exit, fraction), walk.steps);
+        pass_node(cells, top_level, walk);
     }
-    return unconverged(hit_on_ray(place.s, cap));
+    return end_of_walk(walk);
 }

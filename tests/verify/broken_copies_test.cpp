@@ -68,21 +68,21 @@ TEST_F(BrokenCopies, Order2FindsTheMiddleOfTheLayerInPlaceOfTheIntersection) {
 
 TEST_F(BrokenCopies, FirstHitFindsNodesSkippedByTheirEntry) {
     expect_broken_promise(
-        BrokenCopy("qdm", "trace.glsl", "bool blocked = 1.0 - node.exit < top;", "bool blocked = 1.0 - place.s < top;"),
+        BrokenCopy("qdm", "quadtree_walk.glsl", "if (1.0 - walk.node.exit < top)", "if (1.0 - walk.place.s < top)"),
         Promise::first_hit);
 }
 
 TEST_F(BrokenCopies, FirstHitFindsATraversalThatSkipsWhatIsBehindTheWall) {
-    expect_broken_promise(BrokenCopy("qdm", "cell_walk.glsl", "int wrapped = beyond == size ? 0",
-                                     "beyond += ray.forward[axis] && beyond + 1 < size ? 1 : 0;\n"
-                                     "    int wrapped = beyond == size ? 0"),
+    expect_broken_promise(BrokenCopy("qdm", "cell_walk.glsl", "    ivec2 wrapped = ",
+                                     "    beyond += ivec2(ray.forward) * ivec2(lessThan(beyond + 1, ray.size));\n"
+                                     "    ivec2 wrapped = "),
                           Promise::first_hit);
 }
 
 TEST_F(BrokenCopies, FirstHitFindsAnAscentThatForgetsTheCell) {
-    expect_broken_promise(BrokenCopy("qdm", "trace.glsl", "bool new_parent = (place.cell",
-                                     "place.cell = (place.cell >> 1) << 1;\n"
-                                     "        bool new_parent = (place.cell"),
+    expect_broken_promise(BrokenCopy("qdm", "quadtree_walk.glsl", "bool new_parent = (walk.place.cell",
+                                     "walk.place.cell = (walk.place.cell >> 1) << 1;\n"
+                                     "    bool new_parent = (walk.place.cell"),
                           Promise::first_hit);
 }
 
@@ -97,8 +97,8 @@ TEST_F(BrokenCopies, FirstHitFindsACapThatEndsSearches) {
 }
 
 TEST_F(BrokenCopies, ConservativeFindsTheFarWallInPlaceOfTheHit) {
-    expect_broken_promise(BrokenCopy("qdm", "trace.glsl", "hit_on_ray(mix(place.s, node.exit, fraction)",
-                                     "hit_on_ray(mix(place.s, node.exit, 1.0)"),
+    expect_broken_promise(BrokenCopy("qdm", "trace.glsl", "mix(walk.place.s, walk.node.exit, fraction)",
+                                     "mix(walk.place.s, walk.node.exit, 1.0)"),
                           Promise::conservative);
 }
 
@@ -108,8 +108,8 @@ TEST_F(BrokenCopies, ConservativeFindsATreeWithoutTheCellsFarCorners) {
 }
 
 TEST_F(BrokenCopies, FirstHitFindsABoxEnteredOneLevelTooHigh) {
-    expect_broken_promise(BrokenCopy("max_mip", "trace.glsl", "if (1.0 - node.exit < box_top)",
-                                     "if (1.0 - 0.5 * (place.s + node.exit) < box_top)"),
+    expect_broken_promise(BrokenCopy("max_mip", "quadtree_walk.glsl", "if (1.0 - walk.node.exit < top)",
+                                     "if (1.0 - 0.5 * (walk.place.s + walk.node.exit) < top)"),
                           Promise::first_hit);
 }
 
@@ -121,9 +121,9 @@ TEST_F(BrokenCopies, FirstHitFindsMaximumMipmapsOverThreeOfFourNodes) {
 }
 
 TEST_F(BrokenCopies, ConservativeFindsBoxesPassedThroughToTheirFarWall) {
-    expect_broken_promise(
-        BrokenCopy("max_mip", "trace.glsl", "max(place.s, 1.0 - box_top)", "0.5 * (place.s + node.exit)"),
-        Promise::conservative);
+    expect_broken_promise(BrokenCopy("max_mip", "quadtree_walk.glsl", "max(walk.place.s, 1.0 - top)",
+                                     "0.5 * (walk.place.s + walk.node.exit)"),
+                          Promise::conservative);
 }
 
 TEST_F(BrokenCopies, ConservativeFindsDistancesNotReducedByTheVoxel) {

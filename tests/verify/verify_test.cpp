@@ -20,6 +20,30 @@ void replace_once(const fs::path& file, const std::string& passage, const std::s
     write_text_file(file, text);
 }
 
+std::string include_of(const std::string& file) {
+    return "#include \"" + file + "\"";
+}
+
+/// A copy of a file of harness/shaders in `folder`, under another name, which trace.glsl includes in its place,
+/// directly or through a copy of the shared file that does. Returns the copy's name.
+std::string copy_shared_file(const fs::path& folder, const std::string& file) {
+    const std::string copy = "broken_" + file;
+    fs::copy_file(shader_root() / file, folder / copy);
+    std::string includer = "trace.glsl";
+    if (read_text_file(folder / includer).find(include_of(file)) == std::string::npos) {
+        for (const auto& entry : fs::directory_iterator(shader_root())) {
+            const std::string shared = entry.path().filename().string();
+            const bool includes = read_text_file(entry.path()).find(include_of(file)) != std::string::npos;
+            if (includes && read_text_file(folder / includer).find(include_of(shared)) != std::string::npos) {
+                includer = copy_shared_file(folder, shared);
+                break;
+            }
+        }
+    }
+    replace_once(folder / includer, include_of(file), include_of(copy));
+    return copy;
+}
+
 }  // namespace
 
 void VerifyTest::SetUpTestSuite() {
@@ -84,12 +108,7 @@ BrokenCopy::BrokenCopy(const std::string& id, const std::string& file, const std
                        const std::string& replacement) {
     const fs::path folder = root_ / id;
     fs::copy(default_technique_root() / id, folder, fs::copy_options::recursive);
-    std::string broken_file = file;
-    if (!fs::exists(folder / file)) {
-        broken_file = "broken_" + file;
-        fs::copy_file(shader_root() / file, folder / broken_file);
-        replace_once(folder / "trace.glsl", "#include \"" + file + "\"", "#include \"" + broken_file + "\"");
-    }
+    const std::string broken_file = fs::exists(folder / file) ? file : copy_shared_file(folder, file);
     replace_once(folder / broken_file, passage, replacement);
     technique_ = find_techniques({root_.path()}).get(id);
 }
