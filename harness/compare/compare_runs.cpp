@@ -87,6 +87,13 @@ QualityComparison compare_quality_of(const SideCell& base, const SideCell& chang
     if (!comparable_errors || !same_lighting(*base.runs[0], *changed.runs[0])) {
         before.image = after.image = std::nullopt;
     }
+    if (!comparable_errors || !same_motion(*base.runs[0], *changed.runs[0])) {
+        before.motion = after.motion = std::nullopt;
+    } else if (!same_lighting(*base.runs[0], *changed.runs[0])) {
+        for (CellResult* side : {&before, &after}) {
+            if (side->motion) side->motion->flip = std::nullopt;
+        }
+    }
     return compare_quality(before, after, tolerance);
 }
 

@@ -136,6 +136,32 @@ void compare_images(Changes& changes, const std::optional<CellResult::ImageField
     field("image.rmse", &Image::rmse, Better::lower);
 }
 
+void compare_motion_figure(Changes& changes, const std::string& name, const std::optional<CellResult::Motion>& base,
+                           const std::optional<CellResult::Motion>& changed,
+                           std::optional<CellResult::MotionFigure> CellResult::Motion::*member) {
+    using Figure = CellResult::MotionFigure;
+    const std::optional<Figure> before = base ? (*base).*member : std::nullopt;
+    const std::optional<Figure> after = changed ? (*changed).*member : std::nullopt;
+    changes.compare(name + ".mean", get(before, &Figure::mean), get(after, &Figure::mean), Better::lower);
+    changes.compare(name + ".p95", get(before, &Figure::p95), get(after, &Figure::p95), Better::lower);
+    changes.compare(name + ".max", get(before, &Figure::max), get(after, &Figure::max), Better::lower);
+}
+
+/// One side that did not measure it says nothing.
+void compare_motion(Changes& changes, const std::optional<CellResult::Motion>& base,
+                    const std::optional<CellResult::Motion>& changed) {
+    if (!base || !changed) return;
+    using Motion = CellResult::Motion;
+    compare_motion_figure(changes, "motion.texels", base, changed, &Motion::texels);
+    compare_motion_figure(changes, "motion.flip", base, changed, &Motion::flip);
+    const auto field = [&](const char* name, auto member, Better better) {
+        changes.compare(name, get(base, member), get(changed, member), better);
+    };
+    field("motion.compared", &Motion::compared, Better::neither);
+    field("motion.hit_once", &Motion::hit_once, Better::lower);
+    field("motion.unseen", &Motion::unseen, Better::neither);
+}
+
 void compare_work(Changes& changes, const std::optional<CellResult::Work>& base,
                   const std::optional<CellResult::Work>& changed) {
     using Work = CellResult::Work;
@@ -163,6 +189,7 @@ QualityComparison compare_quality(const CellResult& base, const CellResult& chan
     Changes changes(tolerance);
     compare_errors(changes, base.error, changed.error);
     compare_images(changes, base.image, changed.image);
+    compare_motion(changes, base.motion, changed.motion);
     compare_work(changes, base.work, changed.work);
     changes.compare("prepare.bytes", number(base.prepare_bytes), number(changed.prepare_bytes), Better::neither);
     return changes.take();

@@ -101,6 +101,10 @@ bool same_lighting(const StoredRun& base, const StoredRun& changed) {
     return value_at(base, {"configuration", "lighting"}) == value_at(changed, {"configuration", "lighting"});
 }
 
+bool same_motion(const StoredRun& base, const StoredRun& changed) {
+    return value_at(base, {"configuration", "motion"}) == value_at(changed, {"configuration", "motion"});
+}
+
 bool same_source(const StoredRun& base, const StoredRun& changed, const std::string& technique) {
     const Json before = value_at(base, {"techniques", technique.c_str()});
     return !before.is_null() && before == value_at(changed, {"techniques", technique.c_str()});
@@ -157,6 +161,11 @@ std::vector<std::string> run_differences(const StoredRun& base, const StoredRun&
         differences.push_back("the truths differ, so errors and pictures are not compared");
     } else if (!same_lighting(base, changed)) {
         differences.push_back("the lighting differs, so pictures are not compared");
+    }
+    if (!same_motion(base, changed)) {
+        append_member_differences(differences, "motion:", value_at(base, {"configuration", "motion"}),
+                                  value_at(changed, {"configuration", "motion"}));
+        differences.push_back("the cameras move differently, so errors in motion are not compared");
     }
     compare("the CPU", {"environment", "cpu"});
     compare("the number of cores", {"environment", "cores"});

@@ -19,6 +19,7 @@ std::vector<std::string> run_differences(const StoredRun& base, const StoredRun&
 bool from_changed_tree(const StoredRun& run);
 bool same_truth(const StoredRun& base, const StoredRun& changed);
 bool same_lighting(const StoredRun& base, const StoredRun& changed);
+bool same_motion(const StoredRun& base, const StoredRun& changed);
 /// The technique's own folder has the same content on both sides.
 bool same_source(const StoredRun& base, const StoredRun& changed, const std::string& technique);
 

@@ -7,6 +7,7 @@
 #include "measure/cell_figures.hpp"
 #include "measure/cell_preparation.hpp"
 #include "measure/draw_subject.hpp"
+#include "measure/motion.hpp"
 #include "measure/pictures.hpp"
 #include "measure/recent_state.hpp"
 #include "measure/rounds.hpp"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace reliefbench {
@@ -115,17 +117,51 @@ private:
         inputs_.keep_only(views);
         std::vector<ReadyCell> ready;
         ready.reserve(cells.size());
-        for (std::size_t index : cells) {
+        for (std::span<const std::size_t> left = cells; !left.empty();) {
+            const ViewKey& view = cells_[left.front()].view;
+            const auto end = std::find_if_not(left.begin(), left.end(),
+                                              [&](std::size_t index) { return cells_[index].view == view; });
+            const auto of_view = static_cast<std::size_t>(end - left.begin());
+            make_view_ready(left.first(of_view), ready);
+            left = left.subspan(of_view);
+        }
+        sample(ready, number, seed);
+    }
+
+    /// Appends the cells, all of one view, that can be sampled.
+    void make_view_ready(std::span<const std::size_t> indices, std::vector<ReadyCell>& ready) {
+        std::vector<ReadyCell> of_view;
+        of_view.reserve(indices.size());
+        for (std::size_t index : indices) {
             const double begin_s = clock_.seconds();
             std::optional<ReadyCell> cell = make_ready(index);
             estimate_.add_preparation(clock_.seconds() - begin_s);
             if (cell) {
-                ready.push_back(std::move(*cell));
+                of_view.push_back(std::move(*cell));
             } else {
                 estimate_.drop_cell(0);
             }
         }
-        sample(ready, number, seed);
+        if (configuration_.motion && !of_view.empty()) follow_motion(of_view);
+        for (ReadyCell& cell : of_view) {
+            if (cell.result.status == CellStatus::ok) {
+                ready.push_back(std::move(cell));
+            } else {
+                estimate_.drop_cell(0);
+                record(cell.index, std::move(cell.result));
+            }
+        }
+    }
+
+    void follow_motion(std::vector<ReadyCell>& of_view) {
+        const double begin_s = clock_.seconds();
+        std::vector<MotionSubject> subjects;
+        for (ReadyCell& cell : of_view) {
+            subjects.push_back({&cell.renderer, &cell.result});
+        }
+        measure_motion(inputs_, cells_[of_view.front().index].view, configuration_, subjects,
+                       [this](const std::string& cell) { report(cell + ", in motion"); });
+        estimate_.extend_preparation(clock_.seconds() - begin_s);
     }
 
     /// Empty when the cell was skipped or failed, which is then recorded.

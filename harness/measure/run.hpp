@@ -55,9 +55,9 @@ struct RunOutcome {
     TimeSplit split;
 };
 
-/// Measures every cell, block by block: truths once per view, compile, prepare, probe (errors and work), warm up,
-/// sample in rounds, then append the block's cells to the run's folder and free its truths and pipelines. What fails
-/// is a cell's failure; an Error of the store (a full disk) ends the run.
+/// Measures every cell, block by block: truths once per view, compile, prepare, probe (errors and work, and errors in
+/// motion where they are asked for), warm up, sample in rounds, then append the block's cells to the run's folder and
+/// free its truths and pipelines. What fails is a cell's failure; an Error of the store (a full disk) ends the run.
 RunOutcome run_cells(const gpu::Device& device, const TechniqueLibrary& library, const Configuration& configuration,
                      const std::vector<Cell>& cells, RunWriter& writer,
                      const std::function<void(const Progress&)>& on_progress, const Clock& clock = steady_clock(),

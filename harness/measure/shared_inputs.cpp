@@ -69,11 +69,17 @@ const LoadedMap& SharedInputs::map(const ViewKey& key) {
 const Truth& SharedInputs::truth(const ViewKey& key) {
     if (!truth_ || truth_->key != key) {
         truth_.reset();
-        Truth traced = trace_truth(map(key), key.view, lighting_, settings_);
-        truth_seconds_ += traced.trace_ms / 1000.0;
-        truth_.emplace(KeyedTruth{key, std::move(traced)});
+        truth_.emplace(KeyedTruth{key, truth_from(key, key.view.camera)});
     }
     return truth_->truth;
+}
+
+Truth SharedInputs::truth_from(const ViewKey& key, const Camera& camera) {
+    View view = key.view;
+    view.camera = camera;
+    Truth traced = trace_truth(map(key), view, lighting_, settings_);
+    truth_seconds_ += traced.trace_ms / 1000.0;
+    return traced;
 }
 
 void SharedInputs::keep_only(const std::vector<ViewKey>& views) {

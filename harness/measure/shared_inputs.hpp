@@ -47,6 +47,8 @@ public:
     const LoadedMap& map(const ViewKey& key);
     /// Valid until the truth of another view is asked for.
     const Truth& truth(const ViewKey& key);
+    /// The same view's from another camera, which is not kept.
+    Truth truth_from(const ViewKey& key, const Camera& camera);
     /// Frees what none of these views needs.
     void keep_only(const std::vector<ViewKey>& views);
 

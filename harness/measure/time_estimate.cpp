@@ -13,6 +13,10 @@ void TimeEstimate::add_preparation(double seconds) {
     preparation_seconds_ += seconds;
 }
 
+void TimeEstimate::extend_preparation(double seconds) {
+    preparation_seconds_ += seconds;
+}
+
 void TimeEstimate::add_visit(double seconds) {
     ++unfinished_visits_;
     ++timed_visits_;

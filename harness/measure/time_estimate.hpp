@@ -12,6 +12,8 @@ public:
     TimeEstimate(std::size_t cells, int least_rounds);
 
     void add_preparation(double seconds);
+    /// More for cells whose preparation was added before.
+    void extend_preparation(double seconds);
     void add_visit(double seconds);
     /// A cell that wants no more visits after so many.
     void finish_cell(std::size_t visits);

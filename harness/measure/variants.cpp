@@ -4,6 +4,7 @@
 #include "core/random.hpp"
 #include "measure/cell_preparation.hpp"
 #include "measure/draw_subject.hpp"
+#include "measure/motion.hpp"
 #include "measure/shared_inputs.hpp"
 #include "technique/renderer.hpp"
 
@@ -96,6 +97,7 @@ public:
 private:
     /// A cell with both sides ready to be sampled.
     struct ReadyPair {
+        const ViewKey* view = nullptr;
         PreparedCell base;
         PreparedCell changed;
     };
@@ -116,7 +118,38 @@ private:
                 ++cells_done_;
             }
         }
+        if (configuration_.motion) ready = follow_motion(std::move(ready));
         sample(ready, budget_s, seed);
+    }
+
+    /// Both sides of a view's pairs against the same truths. Leaves out the pairs of which a side fails, which is
+    /// recorded.
+    std::vector<ReadyPair> follow_motion(std::vector<ReadyPair> pairs) {
+        for (std::size_t begin = 0; begin < pairs.size();) {
+            const ViewKey& view = *pairs[begin].view;
+            std::vector<MotionSubject> subjects;
+            for (; begin < pairs.size() && *pairs[begin].view == view; ++begin) {
+                subjects.push_back({&pairs[begin].base.renderer, &pairs[begin].base.result});
+                subjects.push_back({&pairs[begin].changed.renderer, &pairs[begin].changed.result});
+            }
+            measure_motion(inputs_, view, configuration_, subjects,
+                           [this](const std::string& cell) { report(cell + ", in motion"); });
+        }
+        std::vector<ReadyPair> kept;
+        kept.reserve(pairs.size());
+        for (ReadyPair& pair : pairs) {
+            const CellResult& changed = pair.changed.result;
+            if (pair.base.result.status == CellStatus::ok && changed.status == CellStatus::ok) {
+                kept.push_back(std::move(pair));
+                continue;
+            }
+            ++cells_done_;
+            const bool base_failed = pair.base.result.status != CellStatus::ok;
+            outcome_.unmeasured.push_back(
+                base_failed ? UnmeasuredPair{changed.cell, with_side("baseline", pair.base.result.reason)}
+                            : UnmeasuredPair{changed.cell, with_side("new side", changed.reason), true});
+        }
+        return kept;
     }
 
     /// Empty when it cannot be measured, which is then recorded.
@@ -133,7 +166,7 @@ private:
             outcome_.unmeasured.push_back({cell.id, with_side("new side", reason), true});
             return std::nullopt;
         }
-        return ReadyPair{std::move(*prepared_base), std::move(*prepared_changed)};
+        return ReadyPair{&cell.view, std::move(*prepared_base), std::move(*prepared_changed)};
     }
 
     std::optional<PreparedCell> prepare(const Technique& technique, const Cell& cell, std::string& reason) {

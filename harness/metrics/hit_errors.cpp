@@ -17,10 +17,6 @@ namespace {
 /// Pixels per range of the parallel loop.
 constexpr std::size_t grain = 4096;
 
-bool is_finite_hit(const Hit& hit) {
-    return hit.is_hit() && std::isfinite(hit.u) && std::isfinite(hit.v) && std::isfinite(hit.t);
-}
-
 double uv_error(const Hit& technique, const Hit& truth, const HeightMap& map, const Relief& relief) {
     const double du = static_cast<double>(technique.u) - truth.u;
     const double dv = static_cast<double>(technique.v) - truth.v;
@@ -84,6 +80,10 @@ void set_distances(HitErrors& errors, const std::vector<std::size_t>& compared, 
 }
 
 }  // namespace
+
+bool is_finite_hit(const Hit& hit) {
+    return hit.is_hit() && std::isfinite(hit.u) && std::isfinite(hit.v) && std::isfinite(hit.t);
+}
 
 HitErrors compare_hits(const HitImage& technique, const HitImage& truth, const Image<std::uint8_t>& footprint,
                        const HeightMap& map, const Relief& relief) {

@@ -35,6 +35,8 @@ struct HitErrors {
 };
 
 /// A technique's hit with a number that is not finite (a shader's division by zero) counts as a miss.
+bool is_finite_hit(const Hit& hit);
+
 HitErrors compare_hits(const HitImage& technique, const HitImage& truth, const Image<std::uint8_t>& footprint,
                        const HeightMap& map, const Relief& relief);
 

@@ -44,6 +44,9 @@ CellResult complete_cell() {
     errors.uv_texels = errors.depth = errors.normal_deg = Summary{};
     cell.error = errors;
     cell.image = CellResult::ImageFields{};
+    CellResult::Motion motion;
+    motion.texels = motion.flip = CellResult::MotionFigure{};
+    cell.motion = motion;
     return cell;
 }
 

@@ -88,6 +88,23 @@ Ray PixelRays::at(double i, double j) const {
     return {frame_.eye, glm::normalize(frame_.forward + across_ * (2 * across - 1) + upwards_ * (1 - 2 * down))};
 }
 
+std::optional<glm::dvec2> PixelRays::project(glm::dvec3 point) const {
+    double across = 0;
+    double down = 0;
+    if (parallel_) {
+        const glm::dvec3 entry = point - frame_.forward * (point.z / frame_.forward.z);
+        across = entry.x + 0.5;
+        down = 0.5 - entry.y;
+    } else {
+        const glm::dvec3 from_eye = point - frame_.eye;
+        const double depth = glm::dot(from_eye, frame_.forward);
+        if (depth <= 0) return std::nullopt;
+        across = (glm::dot(from_eye, across_) / (depth * glm::dot(across_, across_)) + 1) / 2;
+        down = (1 - glm::dot(from_eye, upwards_) / (depth * glm::dot(upwards_, upwards_))) / 2;
+    }
+    return glm::dvec2(across * resolution_.width - 0.5, down * resolution_.height - 0.5);
+}
+
 Ray pixel_ray(const Camera& camera, Resolution resolution, double i, double j) {
     return PixelRays(camera, resolution).at(i, j);
 }

@@ -3,8 +3,10 @@
 #include "scene/image.hpp"
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <optional>
 #include <string>
 
 namespace reliefbench {
@@ -16,7 +18,8 @@ std::string to_string(Projection projection);
 /// The camera of docs/architecture.md, "One geometry". Angles in degrees, lengths in units of the patch side.
 struct Camera {
     Projection projection = Projection::perspective;
-    /// θ in [0, 90): 0 is head-on.
+    /// θ in [0, 90): 0 is head-on. A camera in motion may pass it: −θ is θ with the azimuth turned by 180° and the
+    /// picture with it.
     double view_angle = 0;
     /// φ: −90 makes the picture stand as in the file at θ = 0.
     double azimuth = -90;
@@ -53,6 +56,10 @@ public:
 
     /// Through the centre of pixel (i, j); i and j may be fractions.
     Ray at(double i, double j) const;
+
+    /// The inverse: i and j of the ray that meets the point, which may lie outside the picture. Empty for a point that
+    /// is not before the eye.
+    std::optional<glm::dvec2> project(glm::dvec3 point) const;
 
 private:
     bool parallel_;

@@ -88,6 +88,25 @@ Json to_json(const CellResult::ImageFields& image) {
     return json;
 }
 
+Json to_json(const std::optional<CellResult::MotionFigure>& figure) {
+    if (!figure) return nullptr;
+    Json json;
+    json["mean"] = number(figure->mean);
+    json["p95"] = number(figure->p95);
+    json["max"] = number(figure->max);
+    return json;
+}
+
+Json to_json(const CellResult::Motion& motion) {
+    Json json;
+    json["texels"] = to_json(motion.texels);
+    json["flip"] = to_json(motion.flip);
+    json["compared"] = motion.compared;
+    json["hit_once"] = motion.hit_once;
+    json["unseen"] = motion.unseen;
+    return json;
+}
+
 template <typename Fields>
 Json fields_or_null(const std::optional<Fields>& fields) {
     return fields ? to_json(*fields) : Json(nullptr);
@@ -179,6 +198,22 @@ CellResult::ImageFields read_image(const JsonView& view) {
     return image;
 }
 
+CellResult::MotionFigure read_motion_figure(const JsonView& view) {
+    view.require_only({"mean", "p95", "max"});
+    return {view.at("mean").number(), view.at("p95").number(), view.at("max").number()};
+}
+
+CellResult::Motion read_motion(const JsonView& view) {
+    view.require_only({"texels", "flip", "compared", "hit_once", "unseen"});
+    CellResult::Motion motion;
+    motion.texels = optional(view.at("texels"), read_motion_figure);
+    motion.flip = optional(view.at("flip"), read_motion_figure);
+    motion.compared = count(view.at("compared"));
+    motion.hit_once = count(view.at("hit_once"));
+    motion.unseen = count(view.at("unseen"));
+    return motion;
+}
+
 void read_beside_passes(const JsonView& time, CellResult& result) {
     result.ns_per_pixel = optional_number(time.at(std::string(ns_per_pixel_key)));
     const std::string stop(stop_key);
@@ -243,6 +278,7 @@ Json to_json(const CellResult& result) {
     }
     json["error"] = fields_or_null(result.error);
     json["image"] = fields_or_null(result.image);
+    json["motion"] = fields_or_null(result.motion);
     if (result.forced_resume) json["forced_resume"] = true;
     return json;
 }
@@ -250,7 +286,7 @@ Json to_json(const CellResult& result) {
 CellResult parse_cell_result(const Json& json, const std::string& file) {
     const JsonView view(json, file);
     view.require_only({"cell", "technique", "axes", "params", "status", "reason", "time", "prepare", "work", "pipeline",
-                       "executable", "error", "image", "forced_resume"});
+                       "executable", "error", "image", "motion", "forced_resume"});
     const JsonView prepare = view.at("prepare");
     prepare.require_only({"ms", "bytes"});
     CellResult result;
@@ -273,6 +309,7 @@ CellResult parse_cell_result(const Json& json, const std::string& file) {
     if (view.has("executable")) result.executable = read_executable(view.at("executable"));
     result.error = optional(view.at("error"), read_errors);
     result.image = optional(view.at("image"), read_image);
+    if (view.has("motion")) result.motion = optional(view.at("motion"), read_motion);
     if (view.has("forced_resume")) result.forced_resume = view.at("forced_resume").boolean();
     return result;
 }

@@ -94,6 +94,18 @@ struct CellResult {
     };
     std::optional<ImageFields> image;
 
+    /// Of one pair of neighbouring frames, over all pairs (metrics/motion_errors.hpp).
+    struct MotionFigure {
+        double mean = 0, p95 = 0, max = 0;
+    };
+    struct Motion {
+        std::optional<MotionFigure> texels, flip;
+        /// Pixels of all pairs: compared; seen in both frames and hit in one only; of F and not seen in the next frame.
+        std::uint64_t compared = 0, hit_once = 0, unseen = 0;
+    };
+    /// Empty where the configuration does not ask for it.
+    std::optional<Motion> motion;
+
     /// Finished by a run that was gone on with though its environment had changed (`--resume=force`).
     bool forced_resume = false;
 };

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,6 +52,20 @@ struct SamplingSettings {
     double minimum_pass_ms = 0.2;
 };
 
+/// The camera moves along an arc, and what a technique's error does meanwhile is measured.
+struct MotionSettings {
+    enum class Along { view_angle, azimuth };
+
+    /// The first is the cell's own view.
+    int frames = 9;
+    /// Between neighbouring frames. Along the view angle the camera goes towards head-on, and beyond.
+    double degrees = 0.25;
+    Along along = Along::view_angle;
+};
+
+/// Of frame 0, 1, ....
+Camera camera_in_motion(const Camera& camera, const MotionSettings& motion, int frame);
+
 /// Where something was set, for messages: a file and a JSON path, or a command line argument and its name.
 struct Origin {
     std::string file = "configuration";
@@ -86,6 +101,7 @@ struct Configuration {
     Lighting lighting;
     /// Keep pictures of every cell in images/.
     bool images = false;
+    std::optional<MotionSettings> motion;
     /// The whole as JSON after overrides: written to run.json, and reads back to the same configuration. Paths of files
     /// are absolute.
     Json expanded;

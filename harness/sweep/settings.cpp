@@ -14,6 +14,9 @@ const std::vector<std::string> truth_kinds{"exact", "mesh"};
 /// In the order of SamplingSettings::Rule.
 const std::vector<std::string> sampling_rules{"precision", "fixed", "time"};
 
+/// In the order of MotionSettings::Along.
+const std::vector<std::string> motion_directions{"view_angle", "azimuth"};
+
 constexpr int largest_subdivision = 64;
 constexpr int most_rounds = 100000;
 constexpr int most_draws = 10000;
@@ -25,6 +28,9 @@ constexpr std::size_t most_lights = 3;
 constexpr double largest_radiance = 1e6;
 constexpr double largest_shininess = 1e5;
 constexpr double largest_length = 1e6;
+constexpr int most_frames = 1000;
+constexpr double longest_step_degrees = 10;
+constexpr double longest_arc_degrees = 60;
 
 glm::dvec3 read_vector(const JsonView& view, double minimum, double maximum) {
     const std::vector<JsonView> items = view.items();
@@ -94,6 +100,11 @@ const std::vector<std::string>& fog() {
     return keys;
 }
 
+const std::vector<std::string>& motion() {
+    static const std::vector<std::string> keys{"frames", "degrees", "along"};
+    return keys;
+}
+
 }  // namespace configuration_keys
 
 TruthSettings read_truth(const JsonView& view) {
@@ -154,6 +165,34 @@ Lighting read_lighting(const JsonView& view) {
     return lighting;
 }
 
+MotionSettings read_motion(const JsonView& view) {
+    view.require_only(configuration_keys::motion());
+    MotionSettings motion;
+    if (view.has("frames")) motion.frames = static_cast<int>(view.at("frames").integer(2, most_frames));
+    if (view.has("degrees")) {
+        motion.degrees = view.at("degrees").number(0, longest_step_degrees);
+        if (motion.degrees == 0) view.at("degrees").fail_expected("degrees above 0");
+    }
+    if (view.has("along")) {
+        motion.along = static_cast<MotionSettings::Along>(view.at("along").choice(motion_directions));
+    }
+    if ((motion.frames - 1) * motion.degrees > longest_arc_degrees) {
+        view.fail_expected(fmt::format("an arc of at most {} degrees, (frames - 1) * degrees", longest_arc_degrees));
+    }
+    return motion;
+}
+
+Camera camera_in_motion(const Camera& camera, const MotionSettings& motion, int frame) {
+    Camera moved = camera;
+    const double degrees = frame * motion.degrees;
+    if (motion.along == MotionSettings::Along::view_angle) {
+        moved.view_angle -= degrees;
+    } else {
+        moved.azimuth += degrees;
+    }
+    return moved;
+}
+
 Json to_json(const TruthSettings& truth) {
     return {{"kind", truth_kinds[static_cast<std::size_t>(truth.kind)]}, {"subdivision", truth.subdivision}};
 }
@@ -184,6 +223,12 @@ Json to_json(const Lighting& lighting) {
     json["enabled"] = lighting.enabled;
     json["background"] = to_json(lighting.background);
     return json;
+}
+
+Json to_json(const MotionSettings& motion) {
+    return {{"frames", motion.frames},
+            {"degrees", motion.degrees},
+            {"along", motion_directions[static_cast<std::size_t>(motion.along)]}};
 }
 
 }  // namespace reliefbench

@@ -36,11 +36,6 @@ PixelWork to_work(const std::uint32_t* values) {
     return {.taps = values[0], .texels = values[1], .steps = values[2], .unconverged = values[3] & ~covered_bit};
 }
 
-SceneUniforms uniforms_of(const Technique& technique, const ParameterValues& parameters, Resolution height_map,
-                          const View& view, const Lighting& lighting) {
-    return make_scene_uniforms(view, lighting, patch_grid(technique.manifest, parameters, view, height_map));
-}
-
 gpu::Buffer upload_uniforms(const gpu::Device& device, const SceneUniforms& uniforms) {
     const SceneBlock block{.index = 0, .padding = {}, .values = uniforms};
     return gpu::make_filled_buffer(device, vk::BufferUsageFlagBits::eUniformBuffer,
@@ -79,14 +74,17 @@ struct TimedRecording {
 }  // namespace
 
 struct Renderer::State {
-    State(const gpu::Device& used_device, const Technique& used_technique, const ParameterValues& parameters,
-          const SceneOnDevice& scene, const View& view, const Lighting& lighting)
+    State(const gpu::Device& used_device, const Technique& used_technique, const ParameterValues& used_parameters,
+          const SceneOnDevice& used_scene, const View& used_view, const Lighting& used_lighting)
         : device(used_device),
           technique(used_technique),
-          resolution(view.resolution),
+          parameters(used_parameters),
+          scene(used_scene),
+          view(used_view),
+          lighting(used_lighting),
           maps(device, technique, parameters, scene.textures()),
-          uniforms(upload_uniforms(device, uniforms_of(technique, parameters, scene.textures().size, view, lighting))),
-          setup(make_setup(parameters, scene, view, lighting)) {
+          uniforms(make_uniforms(view)),
+          setup(make_setup(view, uniforms)) {
         // Both now, so that a shader that does not compile is known before anything is drawn.
         compile_draw(device, technique, Variant::timed);
         compile_draw(device, technique, Variant::probed);
@@ -94,7 +92,10 @@ struct Renderer::State {
 
     const gpu::Device& device;
     Technique technique;
-    Resolution resolution;
+    ParameterValues parameters;
+    const SceneOnDevice& scene;
+    View view;
+    Lighting lighting;
     DerivedMaps maps;
     gpu::Buffer uniforms;
     DrawSetup setup;
@@ -106,30 +107,36 @@ struct Renderer::State {
         return *display_draw;
     }
 
-    DrawSetup make_setup(const ParameterValues& parameters, const SceneOnDevice& scene, const View& view,
-                         const Lighting& lighting) const;
+    gpu::Buffer make_uniforms(const View& from) const;
+    /// Of a draw that reads its scene's values from `values`.
+    DrawSetup make_setup(const View& from, const gpu::Buffer& values) const;
     /// One draw, submitted and finished.
     void draw_once(const Draw& draw) const;
+    Probe probe(const DrawSetup& from) const;
 
     std::optional<Draw> display_draw;
     /// The one asked for last. Below the draw that it records, so that it is destroyed first.
     std::unique_ptr<TimedRecording> timing;
 };
 
-DrawSetup Renderer::State::make_setup(const ParameterValues& parameters, const SceneOnDevice& scene, const View& view,
-                                      const Lighting& lighting) const {
+gpu::Buffer Renderer::State::make_uniforms(const View& from) const {
+    const PatchGrid grid = patch_grid(technique.manifest, parameters, from, scene.textures().size);
+    return upload_uniforms(device, make_scene_uniforms(from, lighting, grid));
+}
+
+DrawSetup Renderer::State::make_setup(const View& from, const gpu::Buffer& values) const {
     DrawSetup result;
-    result.extent.width = static_cast<std::uint32_t>(resolution.width);
-    result.extent.height = static_cast<std::uint32_t>(resolution.height);
+    result.extent.width = static_cast<std::uint32_t>(from.resolution.width);
+    result.extent.height = static_cast<std::uint32_t>(from.resolution.height);
     result.constants = parameter_constants(technique.manifest, parameters);
     result.constants[constant::lighting_enabled] = lighting.enabled ? 1 : 0;
-    result.constants[constant::relief_repeats] = view.relief.boundary == Boundary::repeat ? 1 : 0;
+    result.constants[constant::relief_repeats] = from.relief.boundary == Boundary::repeat ? 1 : 0;
     result.bindings = scene.textures().all_bindings();
-    result.bindings.push_back(gpu::uniform_buffer(binding::scene, uniforms.buffer));
+    result.bindings.push_back(gpu::uniform_buffer(binding::scene, values.buffer));
     for (const gpu::Binding& map : maps.draw_bindings())
         result.bindings.push_back(map);
     result.patches = technique.manifest.shape.kind == Shape::Kind::patches;
-    const PatchGrid grid = patch_grid(technique.manifest, parameters, view, scene.textures().size);
+    const PatchGrid grid = patch_grid(technique.manifest, parameters, from, scene.textures().size);
     result.vertices = corners * static_cast<std::uint32_t>(grid.count.x * grid.count.y);
     for (int i = 0; i < 3; ++i)
         result.background[static_cast<std::size_t>(i)] = static_cast<float>(lighting.background[i]);
@@ -145,23 +152,11 @@ void Renderer::State::draw_once(const Draw& draw) const {
     });
 }
 
-Renderer::Renderer(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
-                   const SceneOnDevice& scene, const View& view, const Lighting& lighting)
-    : state_(std::make_unique<State>(device, technique, parameters, scene, view, lighting)) {}
+Probe Renderer::State::probe(const DrawSetup& from) const {
+    const Draw draw(device, technique, Draw::Kind::probed, from);
+    draw_once(draw);
 
-Renderer::~Renderer() = default;
-Renderer::Renderer(Renderer&&) noexcept = default;
-
-Preparation Renderer::prepare(int samples) {
-    state_->prepared = true;
-    return state_->maps.prepare(samples);
-}
-
-Probe Renderer::probe() {
-    const Draw draw(state_->device, state_->technique, Draw::Kind::probed, state_->setup);
-    state_->draw_once(draw);
-
-    const Resolution size = state_->resolution;
+    const Resolution size = view.resolution;
     const auto colours = to_image<std::array<float, 4>>(size, draw.read_target(0));
     const std::vector<std::uint32_t> work = draw.read_work();
     Probe probe{.hits = to_image<Hit>(size, draw.read_target(1)),
@@ -179,8 +174,31 @@ Probe Renderer::probe() {
     return probe;
 }
 
+Renderer::Renderer(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
+                   const SceneOnDevice& scene, const View& view, const Lighting& lighting)
+    : state_(std::make_unique<State>(device, technique, parameters, scene, view, lighting)) {}
+
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+
+Preparation Renderer::prepare(int samples) {
+    state_->prepared = true;
+    return state_->maps.prepare(samples);
+}
+
+Probe Renderer::probe() {
+    return state_->probe(state_->setup);
+}
+
+Probe Renderer::probe_from(const Camera& camera) {
+    View view = state_->view;
+    view.camera = camera;
+    const gpu::Buffer uniforms = state_->make_uniforms(view);
+    return state_->probe(state_->make_setup(view, uniforms));
+}
+
 TimedPicture Renderer::draw_timed(ColourTarget target) {
-    const Resolution size = state_->resolution;
+    const Resolution size = state_->view.resolution;
     TimedPicture picture;
     if (target == ColourTarget::linear_float) {
         const Draw draw(state_->device, state_->technique, Draw::Kind::timed_float, state_->setup);

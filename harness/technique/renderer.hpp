@@ -96,6 +96,8 @@ public:
 
     Preparation prepare(int samples = 1);
     Probe probe();
+    /// The same from another camera, with the maps prepared once.
+    Probe probe_from(const Camera& camera);
     TimedPicture draw_timed(ColourTarget target);
     PipelineStatistics pipeline_statistics();
     ExecutableStatistics executable_statistics();

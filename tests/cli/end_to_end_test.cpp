@@ -151,6 +151,30 @@ TEST_F(EndToEnd, ImagesAreKeptWhenAskedFor) {
     EXPECT_EQ(pictures, 3U) << "picture, truth and error map of one cell";
 }
 
+TEST_F(EndToEnd, ErrorsInMotionAreMeasuredWhenAskedFor) {
+    Json json = tiny_configuration();
+    json["techniques"] = {"steep", "qdm"};
+    const Outcome still = reliefbench({"run", write_configuration("still.json", json), "-o", path("still")});
+    ASSERT_EQ(still.code, 0) << still.err;
+    for (const Json& cell : read_lines(path("still/cells.jsonl"))) {
+        EXPECT_TRUE(cell.at("motion").is_null());
+    }
+    json["motion"] = {{"frames", 3}};
+    const Outcome moving = reliefbench({"run", write_configuration("moving.json", json), "--validate", "-o", "moving"});
+    ASSERT_EQ(moving.code, 0) << moving.err;
+    const std::vector<Json> cells = read_lines(path("moving/cells.jsonl"));
+    ASSERT_EQ(cells.size(), 2U);
+    std::map<std::string, double> texels;
+    for (const Json& cell : cells) {
+        const Json& motion = cell.at("motion");
+        EXPECT_GT(motion.at("compared").get<int>(), 100);
+        EXPECT_GT(motion.at("flip").at("max").get<double>(), 0);
+        texels[cell.at("technique").get<std::string>()] = motion.at("texels").at("mean").get<double>();
+        EXPECT_GT(cell.at("time").at("draw").at("n"), 0);
+    }
+    EXPECT_GT(texels.at("steep"), 10 * texels.at("qdm"));
+}
+
 TEST_F(EndToEnd, RenderPutsThreePicturesSideBySide) {
     const Outcome outcome = reliefbench({"render", "--technique", "steep", "-a", "resolution=48x32", "-a",
                                          "heightmap_size=32", "--validate", "-o", path("picture.png")});

@@ -264,6 +264,26 @@ TEST(CompareRuns, ErrorsAreComparedOnlyAgainstTheSameTruthAndPicturesOnlyUnderTh
     EXPECT_THAT(other.notices, Contains("truth: kind changed from exact to mesh"));
 }
 
+TEST(CompareRuns, MotionIsComparedOnlyAlongTheSameArc) {
+    CellResult before = cell_result("c", 1);
+    before.motion = CellResult::Motion{CellResult::MotionFigure{0.5, 1, 2}, CellResult::MotionFigure{0.1, 0.2, 0.3}};
+    CellResult worse = before;
+    worse.motion->texels->mean = 0.6;
+    worse.motion->flip->mean = 0.15;
+    StoredRun base = one_run("base", {before});
+    StoredRun changed = one_run("new", {worse});
+    base.run.run["configuration"]["motion"] = changed.run.run["configuration"]["motion"] = {{"degrees", 0.25}};
+    EXPECT_EQ(compare_one(base, changed).cells[0].quality.changes.size(), 2U);
+    changed.run.run["configuration"]["lighting"]["ambient"] = 0.3;
+    const Comparison lit = compare_one(base, changed);
+    ASSERT_EQ(lit.cells[0].quality.changes.size(), 1U);
+    EXPECT_EQ(lit.cells[0].quality.changes[0].field, "motion.texels.mean");
+    changed.run.run["configuration"]["motion"]["degrees"] = 0.5;
+    const Comparison other = compare_one(base, changed);
+    EXPECT_TRUE(other.cells[0].quality.changes.empty());
+    EXPECT_THAT(other.notices, Contains("motion: degrees changed from 0.25 to 0.5"));
+}
+
 TEST(CompareRuns, AChangedPreparationTimeIsANotice) {
     const auto with_preparation = [](const std::string& name, double ms) {
         std::vector<StoredRun> runs = repeated(name, {1, 1, 1});

@@ -22,6 +22,8 @@ CellResult result() {
     errors.coverage_iou = 0.98;
     result.error = errors;
     result.image = {0.1, 30, 0.9, 0.03};
+    result.motion = CellResult::Motion{CellResult::MotionFigure{0.5, 2, 8}, CellResult::MotionFigure{0.1, 0.2, 0.3},
+                                       500000, 12, 700};
     CellResult::Work work;
     work.taps_mean = 17.5;
     work.steps_mean = 16;
@@ -61,6 +63,10 @@ TEST(Quality, EachFieldHasItsDirection) {
     expect_one([](CellResult& r) { r.error->uv_texels->mean = 0.05; }, "error.uv_texels.mean", better);
     expect_one([](CellResult& r) { r.error->normal_deg->max = 4; }, "error.normal_deg.max", worse);
     expect_one([](CellResult& r) { r.error->depth->rms = 0.001; }, "error.depth.rms", better);
+    expect_one([](CellResult& r) { r.motion->texels->mean = 0.6; }, "motion.texels.mean", worse);
+    expect_one([](CellResult& r) { r.motion->flip->p95 = 0.1; }, "motion.flip.p95", better);
+    expect_one([](CellResult& r) { r.motion->hit_once = 13; }, "motion.hit_once", worse);
+    expect_one([](CellResult& r) { r.motion->unseen = 701; }, "motion.unseen", same);
     expect_one([](CellResult& r) { r.error->missed = 0.02; }, "error.missed", worse);
     expect_one([](CellResult& r) { r.error->false_hits = 0; }, "error.false_hits", better);
     expect_one([](CellResult& r) { r.error->coverage_iou = 0.97; }, "error.coverage_iou", worse);

@@ -15,6 +15,15 @@ TEST(TimeEstimate, IsUnknownUntilACellWasPreparedAndVisited) {
     EXPECT_EQ(estimate.remaining_seconds(), 3 * 1 + 7 * 0.5);
 }
 
+TEST(TimeEstimate, WhatPreparedCellsTakeBesidesIsExpectedOfTheOthersToo) {
+    TimeEstimate estimate(4, 1);
+    estimate.add_preparation(1);
+    estimate.add_preparation(1);
+    estimate.extend_preparation(4);
+    estimate.add_visit(0.5);
+    EXPECT_EQ(estimate.remaining_seconds(), 2 * 3 + 3 * 0.5);
+}
+
 TEST(TimeEstimate, EndsAtZero) {
     TimeEstimate estimate(2, 2);
     estimate.add_preparation(1);

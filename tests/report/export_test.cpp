@@ -124,6 +124,9 @@ TEST(Csv, HasOneRowPerCellAndEveryFieldAsAColumn) {
     EXPECT_EQ(field(1, "error.outside_quad.pixels"), "0");
     EXPECT_EQ(field(1, "image.psnr"), "30.0");
     EXPECT_EQ(field(1, "image.flip"), "");
+    EXPECT_EQ(field(1, "motion.texels.mean"), "0.25");
+    EXPECT_EQ(field(1, "motion.flip.mean"), "");
+    EXPECT_EQ(field(1, "motion.unseen"), "700");
     EXPECT_EQ(field(1, "axes.heightmap"), "bricks, \"red\"");
     EXPECT_EQ(field(1, "axes.fov"), "");
     EXPECT_EQ(field(1, "params.refine"), "true");

@@ -34,6 +34,7 @@ inline Run sample_run() {
     errors.coverage_iou = 0.9;
     cell.error = errors;
     cell.image = CellResult::ImageFields{{}, 30, {}, 0.03};
+    cell.motion = CellResult::Motion{CellResult::MotionFigure{0.25, 0.5, 4}, {}, 500000, 12, 700};
     run.cells.push_back(cell);
     CellResult skipped;
     skipped.cell = "tessellation | heightmap=bricks";

@@ -71,6 +71,33 @@ TEST(Camera, EyeLooksFromTheAzimuthAtTheOrigin) {
     expect_near(frame.up, {-0.5, 0, std::sqrt(3) / 2});
 }
 
+TEST(Camera, PointsOnAPixelsRayAreProjectedToThePixel) {
+    for (const Projection projection : {Projection::perspective, Projection::parallel}) {
+        for (Camera camera : cameras(projection)) {
+            for (const double view_angle : {camera.view_angle, -camera.view_angle}) {
+                camera.view_angle = view_angle;
+                for (const Resolution resolution : resolutions) {
+                    const PixelRays rays(camera, resolution);
+                    for (const glm::dvec2 pixel : {glm::dvec2(0, 0), glm::dvec2(2.25, 6.5), glm::dvec2(-1, 20)}) {
+                        const Ray ray = rays.at(pixel.x, pixel.y);
+                        const auto seen = rays.project(ray.origin + 0.7 * ray.direction);
+                        ASSERT_TRUE(seen);
+                        // A point 20 pixels away from a picture of five is far off the axis.
+                        EXPECT_NEAR(seen->x, pixel.x, 1e-10);
+                        EXPECT_NEAR(seen->y, pixel.y, 1e-10);
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(Camera, WhatIsBehindTheEyeIsSeenNowhere) {
+    const Camera camera{Projection::perspective, 60, 0, 1.5, 45};
+    const CameraFrame frame = camera_frame(camera);
+    EXPECT_FALSE(PixelRays(camera, {8, 8}).project(frame.eye - frame.forward));
+}
+
 TEST(Camera, PerspectiveRaysFollowTheFormula) {
     constexpr double degree = std::numbers::pi / 180;
     for (const Camera& camera : cameras(Projection::perspective)) {

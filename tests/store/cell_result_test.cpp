@@ -42,6 +42,7 @@ CellResult full_result() {
     errors.coverage_iou = 0.9;
     result.error = errors;
     result.image = CellResult::ImageFields{0.1, 30, 0.9, 0.03};
+    result.motion = CellResult::Motion{CellResult::MotionFigure{0.5, 2, 8}, {}, 500000, 12, 700};
     return result;
 }
 
@@ -73,7 +74,9 @@ TEST(CellResultJson, HasEveryFieldWhereTheFormatSays) {
             "outside_quad": {"pixels": 12, "covered": 0.5},
             "coverage_iou": 0.9
         },
-        "image": {"flip": 0.1, "psnr": 30.0, "ssim": 0.9, "rmse": 0.03}
+        "image": {"flip": 0.1, "psnr": 30.0, "ssim": 0.9, "rmse": 0.03},
+        "motion": {"texels": {"mean": 0.5, "p95": 2.0, "max": 8.0}, "flip": null, "compared": 500000, "hit_once": 12,
+                   "unseen": 700}
     })"));
 }
 
@@ -91,18 +94,23 @@ TEST(CellResultJson, ReadsBackTheSameToTheLastBit) {
     EXPECT_EQ(result.error->uv_texels->p99, 1e-300);
     EXPECT_EQ(result.work->covered_pixels, 65536U);
     EXPECT_EQ(result.image->psnr, 30);
+    EXPECT_EQ(result.motion->texels->p95, 2);
+    EXPECT_FALSE(result.motion->flip);
+    EXPECT_EQ(result.motion->unseen, 700U);
     EXPECT_EQ(result.status, CellStatus::ok);
 }
 
-TEST(CellResultJson, RunsFromBeforeStoppingRulesAreRead) {
+TEST(CellResultJson, RunsFromBeforeStoppingRulesAndMotionAreRead) {
     Json json = to_json(full_result());
     json.erase("executable");
+    json.erase("motion");
     json["time"].erase("stop");
     json["time"].erase("throttled_rounds");
     json["time"]["draw"].erase("rounds");
     json["time"]["draw"].erase("outliers");
     const CellResult result = parse_cell_result(json, "cells.jsonl");
     EXPECT_FALSE(result.stop);
+    EXPECT_FALSE(result.motion);
     EXPECT_EQ(result.time.at("draw").n, 15U);
 }
 
@@ -117,7 +125,7 @@ TEST(CellResultJson, WhatIsUndefinedIsNullAndReadsBackEmpty) {
         "cell": "tessellation | heightmap=bricks", "technique": "tessellation", "axes": {}, "params": {},
         "status": "skipped", "reason": "the device has no tessellation", "time": {"ns_per_pixel": null, "stop": null, "throttled_rounds": 0},
         "prepare": {"ms": null, "bytes": null}, "work": null, "pipeline": {}, "executable": {},
-        "error": null, "image": null})"));
+        "error": null, "image": null, "motion": null})"));
     const CellResult read = parse_cell_result(json, "cells.jsonl");
     EXPECT_EQ(read.status, CellStatus::skipped);
     EXPECT_EQ(read.reason, result.reason);

@@ -57,6 +57,19 @@ TEST(Configuration, SettingsThatAreLeftOutKeepTheirDefaults) {
     EXPECT_EQ(configuration.sampling.rounds, SamplingSettings{}.rounds);
     EXPECT_EQ(configuration.lighting.lights.size(), 1U);
     EXPECT_FALSE(configuration.images);
+    EXPECT_FALSE(configuration.motion);
+}
+
+TEST(Configuration, TheCameraMovesFromTheCellsOwnView) {
+    const MotionSettings towards_head_on = *parse(with_member(R"("motion": {"degrees": 2})")).motion;
+    EXPECT_EQ(towards_head_on.frames, MotionSettings{}.frames);
+    Camera camera;
+    camera.view_angle = 3;
+    EXPECT_EQ(camera_in_motion(camera, towards_head_on, 0), camera);
+    EXPECT_EQ(camera_in_motion(camera, towards_head_on, 2).view_angle, -1);
+    const MotionSettings around = *parse(with_member(R"("motion": {"along": "azimuth"})")).motion;
+    EXPECT_EQ(camera_in_motion(camera, around, 4).azimuth, camera.azimuth + 1);
+    EXPECT_EQ(camera_in_motion(camera, around, 4).view_angle, 3);
 }
 
 TEST(Configuration, StoppingRulesAreRead) {
@@ -202,6 +215,8 @@ TEST(Configuration, WhatIsWrongIsNamedWithItsPlace) {
          "$.lighting.lights[0].direction: expected a direction that is not zero"},
         {with_member(R"("lighting": {"ambient": [0.1, 0.1]})"), "$.lighting.ambient: expected three numbers"},
         {with_member(R"("lighting": {"fog": {"range": 0}})"), "$.lighting.fog.range: expected a length above 0"},
+        {with_member(R"("motion": {"frames": 1000})"),
+         "$.motion: expected an arc of at most 60 degrees, (frames - 1) * degrees"},
         {with_member(R"("images": "yes")"), "$.images: expected true or false"},
         {"[]", "test.json: $: expected an object"},
     };
@@ -275,11 +290,12 @@ TEST(Overrides, OfTechniquesKeepTheParametersOfThoseSelectedBefore) {
 }
 
 TEST(Configuration, ReadsBackFromWhatIsWrittenToRunJson) {
-    const std::string text = with(R"("name": "round", "seed": 5, "images": true, "zip": [["view_angle", "azimuth"]],
+    const std::string text = with(
+        R"("name": "round", "seed": 5, "images": true, "motion": {"degrees": 1}, "zip": [["view_angle", "azimuth"]],
         "axes": {"heightmap": ["rock", {"name": "bricks", "size": "64x32", "seed": 3}], "view_angle": [0, 60],
                  "azimuth": [0, 22.5], "sample_count": [16, 32]}, "exclude": [{"technique": "plain", "view_angle": 60}],
         "truth": {"kind": "mesh"}, "lighting": {"fog": {}, "shininess": 3}, "sampling": {"rounds": 7})",
-                                  R"(["plain", "march", {"technique": "tree", "parameters": {"leaf": ["exact"]}}])");
+        R"(["plain", "march", {"technique": "tree", "parameters": {"leaf": ["exact"]}}])");
     const Configuration first = parse(text, {"view_angle=10,60"});
     Json run = Json::object();
     run["command_line"] = "reliefbench run";

@@ -55,6 +55,7 @@ TEST(Schema, HasTheKeysThatTheParserTakes) {
     EXPECT_THAT(property_names("/$defs/lighting"), UnorderedElementsAreArray(keys::lighting()));
     EXPECT_THAT(property_names("/$defs/light"), UnorderedElementsAreArray(keys::light()));
     EXPECT_THAT(property_names("/$defs/fog"), UnorderedElementsAreArray(keys::fog()));
+    EXPECT_THAT(property_names("/$defs/motion"), UnorderedElementsAreArray(keys::motion()));
     EXPECT_THAT(property_names("/$defs/heightmap/oneOf/1"), UnorderedElementsAreArray(height_map_keys()));
     std::vector<std::string> axes{"sample_count"};
     for (const ViewAxis& axis : view_axes())
@@ -65,7 +66,7 @@ TEST(Schema, HasTheKeysThatTheParserTakes) {
 TEST(Schema, StatesTheDefaultsOfTheParser) {
     const Json root = schema();
     const auto stated = [&](const std::string& pointer) { return root.at(Json::json_pointer(pointer + "/default")); };
-    const Json text = parse_json(R"({"techniques": ["plain"], "axes": {"heightmap": "rock"}})", "test");
+    const Json text = parse_json(R"({"techniques": ["plain"], "axes": {"heightmap": "rock"}, "motion": {}})", "test");
     const Json expanded = parse_configuration(text, "test", {}, fake_techniques()).expanded;
     EXPECT_EQ(stated("/properties/seed"), expanded["seed"]);
     EXPECT_EQ(stated("/properties/images"), expanded["images"]);
@@ -74,6 +75,9 @@ TEST(Schema, StatesTheDefaultsOfTheParser) {
     }
     for (const auto& [key, value] : expanded["sampling"].items()) {
         EXPECT_EQ(stated("/$defs/sampling/properties/" + key), value) << key;
+    }
+    for (const auto& [key, value] : expanded["motion"].items()) {
+        EXPECT_EQ(stated("/$defs/motion/properties/" + key), value) << key;
     }
     EXPECT_EQ(stated("/$defs/lighting/properties/shininess"), expanded["lighting"]["shininess"]);
     EXPECT_THAT(schema_complaints(root, root, expanded), IsEmpty());
@@ -135,6 +139,11 @@ TEST(Schema, AgreesWithTheParserAboutValues) {
         {"/sampling", R"({"precision": 2})", false},
         {"/sampling", R"({"budget_s": 0})", false},
         {"/sampling", R"({"minimum_pass_ms": -1})", false},
+        {"/motion", R"({"frames": 2, "degrees": 10, "along": "azimuth"})", true},
+        {"/motion", R"({"frames": 1})", false},
+        {"/motion", R"({"degrees": 0})", false},
+        {"/motion", R"({"along": "fov"})", false},
+        {"/motion", "true", false},
         {"/lighting", R"({"lights": [], "fog": {"start": 0, "range": 0.5}, "ambient": [0, 0, 0]})", true},
         {"/lighting", R"({"lights": [{}, {}, {}, {}]})", false},
         {"/lighting", R"({"background": [0, 0]})", false},

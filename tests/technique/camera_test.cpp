@@ -45,5 +45,26 @@ TEST_F(CameraOnDevice, AgreesWithTheScenes) {
     }
 }
 
+TEST_F(CameraOnDevice, AProbeFromAnotherCameraIsTheOneOfItsView) {
+    const TechniqueLibrary shipped = find_techniques({default_technique_root()});
+    const HeightMap map = make_map({16, 16}, [](int x, int y) { return 0.05 * ((3 * x + 5 * y) % 17); });
+    const SceneOnDevice scene(device(), map, grey_albedo());
+    // Patches cover what the camera sees, which with a relief that goes on for ever is more towards grazing.
+    for (const char* technique : {"steep", "tessellation"}) {
+        View view = make_view(20, Projection::perspective);
+        view.relief.boundary = Boundary::repeat;
+        view.relief.height_scale = 0.2;
+        Renderer renderer = make_renderer(device(), shipped.get(technique), scene, view);
+        const Probe before = renderer.probe();
+        view.camera.view_angle = 75;
+        const Probe moved = renderer.probe_from(view.camera);
+        const Probe expected = make_renderer(device(), shipped.get(technique), scene, view).probe();
+        EXPECT_EQ(moved.hits.texels, expected.hits.texels) << technique;
+        EXPECT_EQ(moved.colour.texels, expected.colour.texels) << technique;
+        EXPECT_NE(moved.hits.texels, before.hits.texels);
+        EXPECT_EQ(renderer.probe().hits.texels, before.hits.texels) << "the renderer's own view moved";
+    }
+}
+
 }  // namespace
 }  // namespace reliefbench

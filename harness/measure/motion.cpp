@@ -1,0 +1,150 @@
+#include "measure/motion.hpp"
+
+#include "core/error.hpp"
+#include "metrics/flip.hpp"
+#include "metrics/motion_errors.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace reliefbench {
+
+namespace {
+
+/// Of technique hits of the frame before, which every cell that is followed keeps.
+constexpr std::size_t held_bytes = std::size_t{256} << 20U;
+
+/// What is known of a pair of frames before any technique is drawn.
+struct FramePair {
+    const ViewKey& view;
+    const LoadedMap& loaded;
+    const Lighting& lighting;
+    const Truth& first;
+    const Truth& second;
+    /// Of the first frame.
+    Camera camera;
+    TruthMotion motion;
+};
+
+std::optional<CellResult::MotionFigure> to_figure(const MotionFigures& figures) {
+    const auto values = figures.values();
+    if (!values) return std::nullopt;
+    return CellResult::MotionFigure{values->mean, values->p95, values->max};
+}
+
+/// One cell followed from frame to frame.
+class FollowedCell {
+public:
+    explicit FollowedCell(const MotionSubject& subject) : subject_(subject) {}
+
+    const std::string& id() const { return subject_.result->cell; }
+    bool failed() const { return subject_.result->status == CellStatus::failed; }
+
+    void start(const Camera& camera) { hits_ = subject_.renderer->probe_from(camera).hits; }
+
+    void follow(const FramePair& pair, const Camera& next) {
+        HitImage hits = subject_.renderer->probe_from(next).hits;
+        const Relief& relief = pair.view.view.relief;
+        const MotionChange change = compare_frames(pair.motion.landings, pair.first.hits, pair.second.hits, hits_, hits,
+                                                   pair.loaded.map, relief);
+        texels_.add(change.texels);
+        flip_.add(flip_of(change, pair));
+        counts_.compared += change.texels.size();
+        counts_.hit_once += change.hit_once;
+        counts_.unseen += pair.motion.unseen;
+        hits_ = std::move(hits);
+    }
+
+    void finish() const {
+        subject_.result->motion = counts_;
+        subject_.result->motion->texels = to_figure(texels_);
+        subject_.result->motion->flip = to_figure(flip_);
+    }
+
+    void fail_with(const std::string& reason) const {
+        subject_.result->status = CellStatus::failed;
+        subject_.result->reason = reason;
+    }
+
+private:
+    static std::vector<double> flip_of(const MotionChange& change, const FramePair& pair) {
+        View view = pair.view.view;
+        view.camera = pair.camera;
+        const auto shade = [&](const HitImage& hits) {
+            return shade_hits(hits, pair.loaded.map, pair.loaded.albedo, view, pair.lighting);
+        };
+        const Image<float> map = flip_map(shade(change.first), shade(change.second));
+        std::vector<double> values;
+        for (std::size_t pixel = 0; pixel < map.texels.size(); ++pixel) {
+            if (pair.motion.landings.texels[pixel].is_seen()) values.push_back(map.texels[pixel]);
+        }
+        return values;
+    }
+
+    MotionSubject subject_;
+    /// Of the newest frame.
+    HitImage hits_;
+    MotionFigures texels_;
+    MotionFigures flip_;
+    CellResult::Motion counts_;
+};
+
+/// An Error is the cell's own.
+template <typename Step>
+void attempt(FollowedCell& cell, const std::function<void(const std::string&)>& on_cell, const Step& step) {
+    if (cell.failed()) return;
+    if (on_cell) on_cell(cell.id());
+    try {
+        step();
+    } catch (const Error& error) {
+        cell.fail_with(error.what());
+    }
+}
+
+void follow_cells(SharedInputs& inputs, const ViewKey& view, const Configuration& configuration,
+                  std::span<const MotionSubject> subjects, const std::function<void(const std::string&)>& on_cell) {
+    const MotionSettings& settings = *configuration.motion;
+    const auto camera_of = [&](int frame) { return camera_in_motion(view.view.camera, settings, frame); };
+    std::vector<FollowedCell> cells(subjects.begin(), subjects.end());
+    for (FollowedCell& cell : cells) {
+        attempt(cell, on_cell, [&] { cell.start(camera_of(0)); });
+    }
+    std::optional<Truth> held;
+    for (int frame = 1; frame < settings.frames; ++frame) {
+        const Truth& first = held ? *held : inputs.truth(view);
+        Truth second = inputs.truth_from(view, camera_of(frame));
+        const Camera camera = camera_of(frame - 1);
+        const Camera next = camera_of(frame);
+        const FramePair pair{.view = view,
+                             .loaded = inputs.map(view),
+                             .lighting = configuration.lighting,
+                             .first = first,
+                             .second = second,
+                             .camera = camera,
+                             .motion = follow_truth({camera, first.hits, first.footprint},
+                                                    {next, second.hits, second.footprint}, view.view.relief)};
+        for (FollowedCell& cell : cells) {
+            attempt(cell, on_cell, [&] { cell.follow(pair, next); });
+        }
+        held = std::move(second);
+    }
+    for (const FollowedCell& cell : cells) {
+        if (!cell.failed()) cell.finish();
+    }
+}
+
+}  // namespace
+
+void measure_motion(SharedInputs& inputs, const ViewKey& view, const Configuration& configuration,
+                    std::span<const MotionSubject> subjects, const std::function<void(const std::string&)>& on_cell) {
+    const std::size_t bytes_each = view.view.resolution.pixels() * sizeof(Hit);
+    const std::size_t at_once = std::max<std::size_t>(1, held_bytes / bytes_each);
+    for (std::size_t begin = 0; begin < subjects.size(); begin += at_once) {
+        follow_cells(inputs, view, configuration, subjects.subspan(begin, std::min(at_once, subjects.size() - begin)),
+                     on_cell);
+    }
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "measure/shared_inputs.hpp"
+#include "store/cell_result.hpp"
+#include "sweep/configuration.hpp"
+#include "technique/renderer.hpp"
+
+#include <functional>
+#include <span>
+#include <string>
+
+namespace reliefbench {
+
+/// One cell of the view: a renderer that has been prepared, and the result whose `motion` is set. An Error makes the
+/// result failed, with the reason.
+struct MotionSubject {
+    Renderer* renderer = nullptr;
+    CellResult* result = nullptr;
+};
+
+/// Moves the camera of one view, frame by frame, and follows what the errors of all its cells do from each frame to the
+/// next. Each frame's truth is traced once for as many cells as 256 MiB of hits allow; two of them are held at a
+/// time, beside the view's own.
+/// `on_cell` is told the cell before each of its frames; may be empty.
+void measure_motion(SharedInputs& inputs, const ViewKey& view, const Configuration& configuration,
+                    std::span<const MotionSubject> subjects, const std::function<void(const std::string&)>& on_cell);
+
+}  // namespace reliefbench

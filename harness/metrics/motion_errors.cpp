@@ -1,0 +1,203 @@
+#include "metrics/motion_errors.hpp"
+
+#include "core/parallel.hpp"
+#include "core/statistics.hpp"
+#include "metrics/hit_errors.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr std::size_t rows_per_task = 8;
+/// Neighbouring truth hits are one pixel apart, a point and the pixels around its landing up to √2; the rest is for
+/// what the camera's motion stretches.
+constexpr double same_surface_spacings = 2;
+
+glm::dvec3 surface_point(const Hit& hit, const Relief& relief) {
+    return {hit.u - 0.5, hit.v - 0.5, (static_cast<double>(hit.h) - 1) * relief.height_scale};
+}
+
+/// Distance of truth hits around a pixel: along rows and along columns the nearer of both neighbours, then the larger.
+class TruthSpacing {
+public:
+    TruthSpacing(const HitImage& hits, const Relief& relief) : hits_(hits), relief_(relief) {}
+
+    double at(int x, int y) const {
+        const double along_row = std::min(to_neighbour(x, y, -1, 0), to_neighbour(x, y, 1, 0));
+        const double along_column = std::min(to_neighbour(x, y, 0, -1), to_neighbour(x, y, 0, 1));
+        if (std::isinf(along_row) || std::isinf(along_column)) return std::min(along_row, along_column);
+        return std::max(along_row, along_column);
+    }
+
+private:
+    double to_neighbour(int x, int y, int dx, int dy) const {
+        constexpr double none = std::numeric_limits<double>::infinity();
+        const int other_x = x + dx;
+        const int other_y = y + dy;
+        if (other_x < 0 || other_x >= hits_.size.width || other_y < 0 || other_y >= hits_.size.height) return none;
+        const Hit& other = hits_.at(other_x, other_y);
+        if (!other.is_hit()) return none;
+        return glm::distance(surface_point(hits_.at(x, y), relief_), surface_point(other, relief_));
+    }
+
+    const HitImage& hits_;
+    const Relief& relief_;
+};
+
+/// `position` as PixelRays counts pixels.
+Landing land(glm::dvec2 position, glm::dvec3 point, double tolerance, const TruthFrame& frame, const Relief& relief) {
+    const glm::dvec2 corner(std::floor(position.x), std::floor(position.y));
+    const glm::dvec2 fraction = position - corner;
+    Landing landing{.x = static_cast<int>(corner.x), .y = static_cast<int>(corner.y)};
+    const std::size_t nearest = (fraction.x >= 0.5 ? 1U : 0U) + (fraction.y >= 0.5 ? 2U : 0U);
+    std::array<double, 4> weights{};
+    std::array<bool, 4> same{};
+    double sum = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const bool right = i % 2 == 1;
+        const bool below = i >= 2;
+        const int x = landing.x + (right ? 1 : 0);
+        const int y = landing.y + (below ? 1 : 0);
+        if (x < 0 || x >= frame.hits.size.width || y < 0 || y >= frame.hits.size.height) continue;
+        const Hit& hit = frame.hits.at(x, y);
+        same[i] = frame.footprint.at(x, y) != 0 && hit.is_hit() &&
+                  glm::distance(surface_point(hit, relief), point) <= tolerance;
+        if (!same[i]) continue;
+        weights[i] = (right ? fraction.x : 1 - fraction.x) * (below ? fraction.y : 1 - fraction.y);
+        sum += weights[i];
+    }
+    if (!same[nearest]) return landing;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        landing.weights[i] = static_cast<float>(weights[i] / sum);
+    }
+    return landing;
+}
+
+/// Technique − truth.
+struct HitDifference {
+    double u = 0, v = 0, h = 0, t = 0;
+
+    void add(const HitDifference& other, double weight) {
+        u += weight * other.u;
+        v += weight * other.v;
+        h += weight * other.h;
+        t += weight * other.t;
+    }
+};
+
+HitDifference difference(const Hit& technique, const Hit& truth) {
+    return {static_cast<double>(technique.u) - truth.u, static_cast<double>(technique.v) - truth.v,
+            static_cast<double>(technique.h) - truth.h, static_cast<double>(technique.t) - truth.t};
+}
+
+Hit moved(const Hit& hit, const HitDifference& by) {
+    return {static_cast<float>(hit.u + by.u), static_cast<float>(hit.v + by.v), static_cast<float>(hit.h + by.h),
+            std::max(0.0F, static_cast<float>(hit.t + by.t))};
+}
+
+/// Less `offset`, so that an error that does not change gives exactly 0. Empty when the technique misses in the pixel
+/// nearest to the landing.
+std::optional<HitDifference> landed_difference(const Landing& landing, const HitImage& technique, const HitImage& truth,
+                                               const HitDifference& offset) {
+    HitDifference sum;
+    double weights = 0;
+    float largest_weight = -1;
+    bool nearest_hits = false;
+    for (std::size_t i = 0; i < landing.weights.size(); ++i) {
+        const float weight = landing.weights[i];
+        if (weight == 0) continue;
+        const int x = landing.x + static_cast<int>(i % 2);
+        const int y = landing.y + static_cast<int>(i / 2);
+        const Hit& hit = technique.at(x, y);
+        const bool hits = is_finite_hit(hit);
+        if (weight >= largest_weight) {
+            largest_weight = weight;
+            nearest_hits = hits;
+        }
+        if (!hits) continue;
+        sum.add(difference(hit, truth.at(x, y)), weight);
+        sum.add(offset, -static_cast<double>(weight));
+        weights += weight;
+    }
+    if (!nearest_hits) return std::nullopt;
+    HitDifference mean;
+    mean.add(sum, 1 / weights);
+    return mean;
+}
+
+}  // namespace
+
+TruthMotion follow_truth(const TruthFrame& first, const TruthFrame& second, const Relief& relief) {
+    assert(first.hits.size == second.hits.size && first.footprint.size == first.hits.size &&
+           second.footprint.size == second.hits.size);
+    const Resolution size = first.hits.size;
+    const PixelRays second_rays(second.camera, size);
+    const TruthSpacing spacing(first.hits, relief);
+    TruthMotion motion{.landings = Image<Landing>(size)};
+    parallel_for(static_cast<std::size_t>(size.height), rows_per_task, [&](std::size_t begin, std::size_t end) {
+        for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
+            for (int x = 0; x < size.width; ++x) {
+                const Hit& hit = first.hits.at(x, y);
+                if (first.footprint.at(x, y) == 0 || !hit.is_hit()) continue;
+                const glm::dvec3 point = surface_point(hit, relief);
+                const auto position = second_rays.project(point);
+                const double tolerance = same_surface_spacings * spacing.at(x, y);
+                if (!position || std::isinf(tolerance)) continue;
+                const bool in_picture =
+                    position->x > -1 && position->x < size.width && position->y > -1 && position->y < size.height;
+                if (in_picture) motion.landings.at(x, y) = land(*position, point, tolerance, second, relief);
+            }
+        }
+    });
+    for (std::size_t pixel = 0; pixel < size.pixels(); ++pixel) {
+        const bool shown = first.footprint.texels[pixel] != 0 && first.hits.texels[pixel].is_hit();
+        motion.unseen += shown && !motion.landings.texels[pixel].is_seen() ? 1 : 0;
+    }
+    return motion;
+}
+
+MotionChange compare_frames(const Image<Landing>& landings, const HitImage& first_truth, const HitImage& second_truth,
+                            const HitImage& first, const HitImage& second, const HeightMap& map, const Relief& relief) {
+    assert(landings.size == first.size && first.size == first_truth.size && first.size == second.size &&
+           first.size == second_truth.size);
+    MotionChange change{.texels = {}, .hit_once = 0, .first = HitImage(first.size), .second = HitImage(first.size)};
+    for (std::size_t pixel = 0; pixel < landings.texels.size(); ++pixel) {
+        const Landing& landing = landings.texels[pixel];
+        const Hit& before = first.texels[pixel];
+        const bool hits_before = is_finite_hit(before);
+        if (hits_before) change.first.texels[pixel] = change.second.texels[pixel] = before;
+        if (!landing.is_seen()) continue;
+        const HitDifference error_before =
+            hits_before ? difference(before, first_truth.texels[pixel]) : HitDifference{};
+        const auto by = landed_difference(landing, second, second_truth, error_before);
+        change.hit_once += by.has_value() != hits_before ? 1 : 0;
+        change.second.texels[pixel] = by ? moved(hits_before ? before : first_truth.texels[pixel], *by) : Hit{};
+        if (!by || !hits_before) continue;
+        change.texels.push_back(std::hypot(by->u * relief.tiling * map.width(), by->v * relief.tiling * map.height()));
+    }
+    return change;
+}
+
+void MotionFigures::add(std::span<const double> values) {
+    if (values.empty()) return;
+    const Summary summary = summarize(values);
+    ++pairs_;
+    sums_.mean += summary.mean;
+    sums_.p95 += summary.p95;
+    sums_.max = std::max(sums_.max, summary.max);
+}
+
+std::optional<MotionFigures::Values> MotionFigures::values() const {
+    if (pairs_ == 0) return std::nullopt;
+    const auto pairs = static_cast<double>(pairs_);
+    return Values{sums_.mean / pairs, sums_.p95 / pairs, sums_.max};
+}
+
+}  // namespace reliefbench

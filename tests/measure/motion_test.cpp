@@ -1,0 +1,78 @@
+#include "measure/motion.hpp"
+
+#include "core/error.hpp"
+#include "measure/cell_preparation.hpp"
+#include "technique/test_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace reliefbench {
+namespace {
+
+class Motion : public test::DeviceTest {
+protected:
+    Motion() {
+        configuration_.motion = MotionSettings{.frames = 4, .degrees = 0.5};
+        view_.height_map.name = "rock";
+        view_.height_map.size = {64, 64};
+        view_.view = test::make_view(60, Projection::parallel, {96, 96});
+        view_.view.relief.height_scale = 0.1;
+    }
+
+    /// Of shipped techniques.
+    std::vector<CellResult> measure(const std::vector<std::pair<std::string, ParameterValues>>& cells) {
+        static const TechniqueLibrary library = find_techniques({default_technique_root()});
+        SharedInputs inputs(device(), configuration_.lighting, configuration_.truth);
+        std::vector<Renderer> renderers;
+        std::vector<CellResult> results(cells.size());
+        renderers.reserve(cells.size());
+        std::vector<MotionSubject> subjects;
+        for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+            const auto& [technique, parameters] = cells[cell];
+            renderers.push_back(test::make_renderer(device(), library.get(technique), inputs.map(view_).scene,
+                                                    view_.view, configuration_.lighting, parameters));
+            subjects.push_back({&renderers.back(), &results[cell]});
+        }
+        measure_motion(inputs, view_, configuration_, subjects, {});
+        return results;
+    }
+
+    Configuration configuration_;
+    ViewKey view_;
+};
+
+const std::vector<std::pair<std::string, ParameterValues>> coarse_to_exact{
+    {"steep", {{"max_steps", std::int64_t{8}}, {"adaptive", false}}},
+    {"pom", {{"max_steps", std::int64_t{64}}, {"adaptive", false}}},
+    {"max_mip", {}},
+};
+
+TEST_F(Motion, RanksStairStepsAboveFineLayersAboveExactHits) {
+    for (const Projection projection : {Projection::parallel, Projection::perspective}) {
+        for (const Boundary boundary : {Boundary::clip, Boundary::repeat}) {
+            view_.view.camera.projection = projection;
+            view_.view.relief.boundary = boundary;
+            const std::vector<CellResult> results = measure(coarse_to_exact);
+            for (const CellResult& result : results) {
+                ASSERT_TRUE(result.motion && result.motion->texels && result.motion->flip) << result.reason;
+                EXPECT_GT(result.motion->compared, 10 * result.motion->hit_once);
+                EXPECT_LE(result.motion->texels->mean, result.motion->texels->p95);
+                EXPECT_LE(result.motion->texels->p95, result.motion->texels->max);
+            }
+            const auto& coarse = *results[0].motion;
+            const auto& fine = *results[1].motion;
+            const auto& exact = *results[2].motion;
+            EXPECT_GT(coarse.texels->mean, 4 * fine.texels->mean);
+            EXPECT_GT(fine.texels->mean, 4 * exact.texels->mean);
+            EXPECT_GT(coarse.flip->mean, 2 * fine.flip->mean);
+            EXPECT_GT(fine.flip->mean, 2 * exact.flip->mean);
+            EXPECT_EQ(coarse.unseen, exact.unseen);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace reliefbench
