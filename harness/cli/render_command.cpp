@@ -1,26 +1,18 @@
+#include "cli/cell_drawing.hpp"
 #include "cli/command.hpp"
-#include "cli/run_sources.hpp"
-#include "cli/shared_options.hpp"
+#include "cli/contact_sheet.hpp"
+#include "cli/render_options.hpp"
 #include "core/error.hpp"
-#include "core/json.hpp"
 #include "core/log.hpp"
-#include "core/suggest.hpp"
-#include "manifest/parameter_json.hpp"
 #include "measure/cell_figures.hpp"
 #include "measure/pictures.hpp"
 #include "measure/shared_inputs.hpp"
-#include "metrics/hit_errors.hpp"
-#include "metrics/image_errors.hpp"
 #include "scene/image_file.hpp"
-#include "sweep/configuration.hpp"
-#include "sweep/override.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <memory>
 
@@ -28,82 +20,17 @@ namespace reliefbench {
 
 namespace {
 
-struct RenderOptions {
-    std::string technique;
-    std::vector<std::string> parameters;
-    std::vector<std::string> axes;
-    std::string output;
-    TechniqueOptions library;
-    DeviceChoice device;
-};
-
-enum class OutputKind { picture, layers };
-
-OutputKind output_kind(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (extension == ".png") return OutputKind::picture;
-    if (extension == ".exr") return OutputKind::layers;
-    fail("cannot render to '{}': give a file name that ends in .png (pictures) or .exr (float layers)", path);
-}
-
-/// "--set name=value", checked against the technique's declaration.
-std::pair<std::string, ParameterValue> parse_setting(const Manifest& manifest, const std::string& argument) {
-    const std::size_t equals = argument.find('=');
-    if (equals == std::string::npos) fail("--set {}: expected parameter=value", argument);
-    const std::string name = argument.substr(0, equals);
-    const Parameter* parameter = manifest.find_parameter(name);
-    if (parameter == nullptr) {
-        std::vector<std::string> names;
-        for (const Parameter& known : manifest.parameters) {
-            names.push_back(known.name);
-        }
-        fail("--set {}: the technique '{}' has no parameter '{}'{}; it has: {}", argument, manifest.id, name,
-             did_you_mean(name, names), names.empty() ? "none" : join(names));
-    }
-    ParameterValue value = parse_parameter_value(*parameter, argument.substr(equals + 1));
-    const std::string objection = check_parameter_value(*parameter, value);
-    if (!objection.empty()) fail("--set {}: {}", argument, objection);
-    return {name, std::move(value)};
-}
-
-/// The configuration of one cell, which the axes of the command line then change.
-Json one_cell(const Manifest& manifest, const std::vector<std::string>& settings) {
-    Json selection{{"technique", manifest.id}};
-    for (const std::string& argument : settings) {
-        const auto [name, value] = parse_setting(manifest, argument);
-        selection["parameters"][name] = to_json(value);
-    }
-    Json configuration;
-    configuration["name"] = "render";
-    configuration["techniques"] = Json::array({selection});
-    configuration["axes"] = {{"heightmap", "bricks"}, {"resolution", "512x512"}, {"view_angle", 45}};
-    return configuration;
-}
-
-Cell make_cell(const RenderOptions& options, const TechniqueLibrary& library) {
-    for (const std::string& argument : options.axes) {
-        const std::size_t values = parse_override(argument).values.size();
-        if (values != 1)
-            fail("-a {}: render draws one cell, so that an axis takes one value, not {}", argument, values);
-    }
-    const Json json = one_cell(library.get(options.technique).manifest, options.parameters);
-    const std::vector<Manifest> manifests = library.manifests();
-    const std::vector<Cell> cells = expand(parse_configuration(json, "render", options.axes, manifests), manifests);
-    if (!cells.front().skip_reason.empty()) fail("{}: {}", cells.front().id, cells.front().skip_reason);
-    return cells.front();
-}
-
 std::string format_summary(const std::string& quantity, const std::optional<Summary>& summary) {
     if (!summary) return fmt::format("{}: undefined, no pixel has both hits\n", quantity);
     return fmt::format("{}: median {:.3g}, p95 {:.3g}, p99 {:.3g}, max {:.3g}\n", quantity, summary->p50, summary->p95,
                        summary->p99, summary->max);
 }
 
-void print_summary(const Cell& cell, const Probe& probe, const HitErrors& errors, const ImageErrors& image) {
+void print_summary(const Cell& cell, const DrawnCell& drawn) {
+    const HitErrors errors = hit_errors_of(drawn);
+    const ImageErrors image = image_errors_of(drawn);
     fmt::print(stderr, "{}\n", cell.id);
-    if (const std::optional<CellResult::Work> work = summarize_work(probe)) {
+    if (const std::optional<CellResult::Work> work = summarize_work(drawn.probe)) {
         fmt::print(stderr,
                    "{} pixels covered; per pixel {:.2f} taps (p95 {:.0f}), {:.2f} steps; {:.3f} % unconverged\n",
                    work->covered_pixels, work->taps_mean, work->taps_p95, work->steps_mean, 100 * work->unconverged);
@@ -119,70 +46,129 @@ void print_summary(const Cell& cell, const Probe& probe, const HitErrors& errors
         fmt::print(stderr, "outside the quad: {} pixels of relief, {:.1f} % of them drawn\n",
                    errors.outside_quad_pixels, 100 * *errors.outside_quad_covered);
     }
-    fmt::print(stderr, "picture: RMSE {}, PSNR {}\n", image.rmse ? fmt::format("{:.4g}", *image.rmse) : "undefined",
-               image.psnr ? fmt::format("{:.2f} dB", *image.psnr) : "undefined");
+    const auto format_figure = [](const std::optional<double>& value, const char* unit) {
+        return value ? fmt::format("{:.4g}{}", *value, unit) : "undefined";
+    };
+    fmt::print(stderr, "picture: RMSE {}, PSNR {}, SSIM {}, FLIP {}\n", format_figure(image.rmse, ""),
+               format_figure(image.psnr, " dB"), format_figure(image.ssim, ""), format_figure(image.flip, ""));
+}
+
+/// One cell's pictures from left to right; a single one without a legend comes as it is, pixel for pixel.
+Picture draw_pictures(const std::vector<Shown>& shown, const DrawnCell& drawn) {
+    std::vector<Picture> pictures = pictures_of(shown, drawn);
+    if (pictures.size() == 1 && shown.front().kind != Shown::Kind::map) return pictures.front();
+    const Font font;
+    Sheet sheet;
+    sheet.columns = columns_of(shown, font);
+    sheet.rows.push_back({"", {}, std::move(pictures)});
+    return draw_sheet(sheet, font);
+}
+
+void write_cell(const std::filesystem::path& path, OutputKind kind, const std::vector<Shown>& shown,
+                const DrawnCell& drawn) {
+    write_raster_file(path, kind == OutputKind::layers ? layers(drawn) : to_raster(draw_pictures(shown, drawn)));
+}
+
+void warn_of_constant_maps(const std::vector<Cell>& cells) {
+    for (const HeightMapRecord& map : inspect_height_maps(cells)) {
+        if (map.constant) log_warning("height map '{}' is constant: there is no relief in it", map.source.name);
+    }
+}
+
+ExitCode draw_contact_sheet(const RenderOptions& options, const std::vector<Cell>& cells, CellDrawing& drawing) {
+    const Font font;
+    std::size_t failures = 0;
+    const Sheet sheet = make_contact_sheet(cells, shown_by(options), drawing, font, failures);
+    write_raster_file(options.output, to_raster(draw_sheet(sheet, font)));
+    fmt::print(stderr, "{}: {} rows\n", options.output, cells.size());
+    return failures == 0 ? ExitCode::done : ExitCode::cells_failed;
+}
+
+void draw_frames(const RenderOptions& options, OutputKind kind, const std::vector<Cell>& cells, CellDrawing& drawing) {
+    const std::vector<Shown> shown = shown_by(options);
+    for (std::size_t frame = 0; frame < cells.size(); ++frame) {
+        const std::filesystem::path path = frame_path(options.output, frame, cells.size());
+        const Probe probe = drawing.probe(cells[frame]);
+        write_cell(path, kind, shown, drawing.beside_truth(cells[frame], probe));
+        fmt::print(stderr, "[{}/{}] {}: {}\n", frame + 1, cells.size(), path.string(), cells[frame].id);
+    }
+}
+
+void draw_cell(const RenderOptions& options, OutputKind kind, const Cell& cell, CellDrawing& drawing) {
+    const Probe probe = drawing.probe(cell);
+    const DrawnCell drawn = drawing.beside_truth(cell, probe);
+    write_cell(options.output, kind, shown_by(options), drawn);
+    print_summary(cell, drawn);
 }
 
 ExitCode render(const RenderOptions& options) {
-    const OutputKind kind = output_kind(options.output);
+    const OutputKind kind = check_output(options.output);
+    shown_by(options);
+    if (options.contact_sheet && kind == OutputKind::layers) {
+        fail("cannot render a contact sheet to '{}': it is a picture, so give a file name that ends in .png",
+             options.output);
+    }
     const TechniqueLibrary library = options.library.find();
-    const Cell cell = make_cell(options, library);
-    const View& view = cell.view.view;
-    for (const HeightMapRecord& map : inspect_height_maps({cell})) {
-        if (map.constant) log_warning("height map '{}' is constant: there is no relief in it", map.source.name);
-    }
+    const std::vector<Cell> cells = cells_to_render(options, library);
+    warn_of_constant_maps(cells);
     const gpu::Device device(options.device.options);
-    const LoadedMap loaded(device, cell.view.height_map, cell.view.height_format);
-    const Technique& technique = library.get(cell.technique);
-    const std::string unsupported =
-        unsupported_reason(device, technique, cell.parameters, view, loaded.map.heights.size);
-    if (!unsupported.empty()) fail("{}: {}", cell.id, unsupported);
-
-    const Lighting lighting;
-    Renderer renderer(device, technique, cell.parameters, loaded.scene, view, lighting);
-    renderer.prepare();
-    const Probe probe = renderer.probe();
-    const Truth truth = trace_truth(loaded, view, lighting, TruthSettings{});
-    if (kind == OutputKind::layers) {
-        write_raster_file(options.output, layers(probe, truth));
+    CellDrawing drawing(device, library);
+    ExitCode code = ExitCode::done;
+    if (options.contact_sheet) {
+        code = draw_contact_sheet(options, cells, drawing);
+    } else if (!options.animation.empty()) {
+        draw_frames(options, kind, cells, drawing);
     } else {
-        write_raster_file(options.output, side_by_side({display_picture(probe.colour), display_picture(truth.colour),
-                                                        error_picture(probe.hits, truth, loaded.map, view.relief)}));
+        draw_cell(options, kind, cells.front(), drawing);
     }
-    print_summary(cell, probe, compare_hits(probe.hits, truth.hits, truth.footprint, loaded.map, view.relief),
-                  compare_images(probe.colour, probe.hits, truth.colour, truth.hits));
-    return check_validation(device);
+    return graver(code, check_validation(device));
 }
 
 }  // namespace
 
 void add_render_command(CLI::App& app, ChosenCommand& chosen) {
     const auto options = std::make_shared<RenderOptions>();
-    CLI::App* command = app.add_subcommand("render", "Draw one cell beside its truth and its error map");
-    command->add_option("--technique", options->technique, "What draws; see `list techniques`")
-        ->required()
+    CLI::App* command = app.add_subcommand(
+        "render", "Draw a cell beside its truth and error maps, a contact sheet of techniques, or an animation");
+    add_repeated_option(*command, "--technique", options->techniques,
+                        "What draws, see `list techniques`; a contact sheet takes several (a,b) and without has all")
         ->type_name("ID");
     add_repeated_option(*command, "--set", options->parameters, "A parameter of the technique (may be repeated)")
         ->type_name("PARAMETER=VALUE");
     add_repeated_option(*command, "-a,--axis", options->axes,
                         "An axis of the view, one value (may be repeated); default: heightmap=bricks, "
-                        "resolution=512x512, view_angle=45")
+                        "resolution=512x512 (contact sheet: 192x192), view_angle=45")
         ->type_name("NAME=VALUE");
+    command
+        ->add_option("--show", options->show,
+                     "What a PNG shows: picture, truth, uv_error, flip, taps, depth_error, normal_error, ssim, "
+                     "coverage; default: picture,truth,uv_error (contact sheet: truth,picture,uv_error,flip,taps)")
+        ->type_name("LIST");
+    command->add_flag("--contact-sheet", options->contact_sheet,
+                      "One row per technique, and per value of axes with several, cropped to the relief");
+    command->add_option("--animate", options->animation, "A frame per value: -o turn.png writes turn_000.png, ...")
+        ->type_name("AXIS=VALUES");
     command->add_option("-o,--output", options->output, "The file to write, .png or .exr")
         ->required()
         ->type_name("FILE");
     options->library.add_to(*command);
     options->device.add_to(*command);
     command->footer(
-        ".png: the technique's picture, the truth's, and the error map, from left to right. The error map shows the\n"
-        "UV error in texels on a logarithmic scale in the colours of magma: black up to 0.01, pale yellow from 10.\n"
-        "Blue: missed (the truth hits, the technique does not). Cyan: the same outside the flat quad, where only real\n"
-        "geometry can draw. Green: false hit. Grey: no relief in either.\n"
-        ".exr: float channels hit.u hit.v hit.h hit.t, taps, truth.u truth.v truth.h truth.t, color.R color.G "
-        "color.B,\n"
-        "truth_color.R truth_color.G truth_color.B; u and v in patch coordinates, t the distance from the eye (for\n"
-        "parallel rays from the plane z = 0), t = -1 and zeros for a miss, colours linear.\n"
-        "Example: reliefbench render --technique pom --set max_steps=64 -a view_angle=75 -o picture.png\n");
+        ".png: what --show lists, from left to right. Maps are in the colours of magma, with their legend; blue: "
+        "missed\n"
+        "(the truth hits, the technique does not); cyan: the same outside the flat quad, where only real geometry can\n"
+        "draw; green: false hit; grey: nothing.\n"
+        ".exr: float channels hit.u hit.v hit.h hit.t, truth.u truth.v truth.h truth.t, color.R color.G color.B,\n"
+        "truth_color.R truth_color.G truth_color.B, and all maps by name; u and v in patch coordinates, t the "
+        "distance\n"
+        "from the eye (for parallel rays from the plane z = 0), t = -1 and zeros for a miss, colours linear; maps are\n"
+        "not a number where they are undefined, depth_error is positive where too deep, coverage is 0 neither, 1 "
+        "both,\n"
+        "2 missed, 3 false hit, 4 missed outside the quad.\n"
+        "Example: reliefbench render --technique pom --set max_steps=64 -a view_angle=75 -o picture.png\n"
+        "Example: reliefbench render --technique pom --show flip,ssim -a view_angle=75 -o maps.png\n"
+        "Example: reliefbench render --contact-sheet --technique steep,pom,qdm -a view_angle=60 -o sheet.png\n"
+        "Example: reliefbench render --technique pom --show picture --animate view_angle=[0:80:2] -o turn.png\n");
     command->callback([&chosen, options] { chosen = [options] { return render(*options); }; });
 }
 

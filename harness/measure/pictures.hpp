@@ -1,30 +1,32 @@
 #pragma once
 
+#include "picture/picture.hpp"
+#include "picture/pixel_map.hpp"
 #include "reference/truth.hpp"
 #include "scene/height_map.hpp"
-#include "scene/hit.hpp"
 #include "scene/image_file.hpp"
 #include "scene/relief.hpp"
 #include "technique/renderer.hpp"
 
-#include <array>
-#include <vector>
-
 namespace reliefbench {
 
-/// Linear RGB encoded to sRGB.
-RasterFile display_picture(const Image<std::array<float, 3>>& linear);
+/// What a cell drew, and what it is compared with; both must outlive it.
+struct DrawnCell {
+    const Probe& probe;
+    const Truth& truth;
+    const HeightMap& map;
+    const Relief& relief;
+};
 
-/// UV error of each pixel in texels on a logarithmic scale from 0.01 (dark) to 10 (light) in the colours of magma.
-/// Blue: missed (truth hits, the technique does not). Cyan: the same outside the footprint, where only real geometry
-/// can draw. Green: false hit. Grey: neither hits.
-RasterFile error_picture(const HitImage& hits, const Truth& truth, const HeightMap& map, const Relief& relief);
+/// A value per pixel; not a number where it is undefined: errors of hits where not both hit, taps where no fragment of
+/// the technique ran (those of vertex and tessellation stages are spread over covered pixels).
+Image<float> pixel_map(PixelMap map, const DrawnCell& cell);
 
-/// The float layers hit.{u,v,h,t}, taps, truth.{u,v,h,t}, color.{R,G,B} and truth_color.{R,G,B}: patch coordinates,
-/// linear colours, t = −1 and zeros for a miss. Taps of vertex and tessellation stages are spread over covered pixels.
-RasterFile layers(const Probe& probe, const Truth& truth);
+/// In the colours of the map's scale, without a legend.
+Picture map_picture(PixelMap map, const DrawnCell& cell);
 
-/// Pictures of equal height from left to right, parted by a thin line.
-RasterFile side_by_side(const std::vector<RasterFile>& pictures);
+/// The float channels hit.{u,v,h,t}, truth.{u,v,h,t}, color.{R,G,B} and truth_color.{R,G,B} (patch coordinates, linear
+/// colours, t = −1 and zeros for a miss), and one of each pixel map by its name.
+RasterFile layers(const DrawnCell& cell);
 
 }  // namespace reliefbench

@@ -8,9 +8,9 @@
 #include "measure/cell_preparation.hpp"
 #include "measure/draw_subject.hpp"
 #include "measure/motion.hpp"
-#include "measure/pictures.hpp"
 #include "measure/recent_state.hpp"
 #include "measure/rounds.hpp"
+#include "measure/run_pictures.hpp"
 #include "measure/shared_inputs.hpp"
 #include "measure/stopping_rule.hpp"
 #include "measure/time_estimate.hpp"
@@ -87,6 +87,7 @@ public:
                 finish_without_timing(index, CellStatus::skipped, cells_[index].skip_reason);
             }
         }
+        if (configuration_.images) write_legends(writer_);
         const std::vector<Block> blocks = make_blocks(cells_);
         for (std::size_t block = 0; block < blocks.size(); ++block) {
             const std::vector<std::size_t> unfinished = without_finished(blocks[block].cells);
@@ -190,17 +191,11 @@ private:
             split_.samples_s += total_ms(samples) / 1000.0;
         }
         if (configuration_.images) {
-            write_pictures(cell, prepared->probe);
+            const DrawnCell drawn{prepared->probe, inputs_.truth(cell.view), inputs_.map(cell.view).map,
+                                  cell.view.view.relief};
+            write_cell_pictures(writer_, cell.id, drawn);
         }
         return ReadyCell{index, std::move(prepared->renderer), std::move(prepared->result)};
-    }
-
-    void write_pictures(const Cell& cell, const Probe& probe) {
-        const Truth& truth = inputs_.truth(cell.view);
-        write_raster_file(writer_.image_path(cell.id, ".png"), display_picture(probe.colour));
-        write_raster_file(writer_.image_path(cell.id, ".truth.png"), display_picture(truth.colour));
-        write_raster_file(writer_.image_path(cell.id, ".error.png"),
-                          error_picture(probe.hits, truth, inputs_.map(cell.view).map, cell.view.view.relief));
     }
 
     /// One block's rounds.

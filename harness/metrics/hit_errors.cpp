@@ -1,10 +1,8 @@
 #include "metrics/hit_errors.hpp"
 
 #include "core/parallel.hpp"
+#include "metrics/pixel_errors.hpp"
 #include "scene/shading_normal.hpp"
-
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include <cassert>
 #include <cmath>
@@ -16,17 +14,6 @@ namespace {
 
 /// Pixels per range of the parallel loop.
 constexpr std::size_t grain = 4096;
-
-double uv_error(const Hit& technique, const Hit& truth, const HeightMap& map, const Relief& relief) {
-    const double du = static_cast<double>(technique.u) - truth.u;
-    const double dv = static_cast<double>(technique.v) - truth.v;
-    return std::hypot(du * relief.tiling * map.width(), dv * relief.tiling * map.height());
-}
-
-/// Degrees; accurate for small angles, which the arc cosine is not.
-double angle_between(glm::dvec3 a, glm::dvec3 b) {
-    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
-}
 
 struct PixelCounts {
     std::size_t missed = 0;
@@ -67,7 +54,7 @@ void set_distances(HitErrors& errors, const std::vector<std::size_t>& compared, 
             const Hit& ours = technique.texels[compared[index]];
             const Hit& theirs = truth.texels[compared[index]];
             uv[index] = uv_error(ours, theirs, map, relief);
-            signed_depth[index] = static_cast<double>(ours.t) - theirs.t;
+            signed_depth[index] = depth_error(ours, theirs);
             depth[index] = std::abs(signed_depth[index]);
             normal[index] = angle_between(shading_normal(derivatives, relief, ours.u, ours.v),
                                           shading_normal(derivatives, relief, theirs.u, theirs.v));
@@ -80,10 +67,6 @@ void set_distances(HitErrors& errors, const std::vector<std::size_t>& compared, 
 }
 
 }  // namespace
-
-bool is_finite_hit(const Hit& hit) {
-    return hit.is_hit() && std::isfinite(hit.u) && std::isfinite(hit.v) && std::isfinite(hit.t);
-}
 
 HitErrors compare_hits(const HitImage& technique, const HitImage& truth, const Image<std::uint8_t>& footprint,
                        const HeightMap& map, const Relief& relief) {
@@ -112,20 +95,6 @@ HitErrors compare_hits(const HitImage& technique, const HitImage& truth, const I
     errors.compared = compared.size();
     set_coverage(errors, counts);
     set_distances(errors, compared, technique, truth, map, relief);
-    return errors;
-}
-
-Image<float> uv_error_map(const HitImage& technique, const HitImage& truth, const HeightMap& map,
-                          const Relief& relief) {
-    assert(technique.size == truth.size);
-    Image<float> errors(truth.size, -1.0F);
-    for (std::size_t pixel = 0; pixel < truth.texels.size(); ++pixel) {
-        const Hit& ours = technique.texels[pixel];
-        const Hit& theirs = truth.texels[pixel];
-        if (is_finite_hit(ours) && theirs.is_hit()) {
-            errors.texels[pixel] = static_cast<float>(uv_error(ours, theirs, map, relief));
-        }
-    }
     return errors;
 }
 

@@ -35,12 +35,7 @@ struct HitErrors {
 };
 
 /// A technique's hit with a number that is not finite (a shader's division by zero) counts as a miss.
-bool is_finite_hit(const Hit& hit);
-
 HitErrors compare_hits(const HitImage& technique, const HitImage& truth, const Image<std::uint8_t>& footprint,
                        const HeightMap& map, const Relief& relief);
-
-/// Per pixel, −1 where not both hit: for error maps.
-Image<float> uv_error_map(const HitImage& technique, const HitImage& truth, const HeightMap& map, const Relief& relief);
 
 }  // namespace reliefbench

@@ -5,6 +5,7 @@
 #include "metrics/ssim.hpp"
 #include "scene/colour.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -26,15 +27,33 @@ std::vector<std::size_t> covered_by_either(const HitImage& first, const HitImage
     return pixels;
 }
 
-Image<double> encoded_channel(const Colours& linear, std::size_t channel) {
+/// Red, green and blue, encoded to sRGB.
+using EncodedChannels = std::array<Image<double>, channels>;
+
+EncodedChannels encoded_channels(const Colours& linear) {
     constexpr std::size_t pixels_at_once = 1 << 14;
-    Image<double> encoded(linear.size);
+    EncodedChannels encoded;
+    encoded.fill(Image<double>(linear.size));
     parallel_for(linear.texels.size(), pixels_at_once, [&](std::size_t begin, std::size_t end) {
         for (std::size_t pixel = begin; pixel < end; ++pixel) {
-            encoded.texels[pixel] = srgb_encode(linear.texels[pixel][channel]);
+            for (std::size_t channel = 0; channel < channels; ++channel) {
+                encoded[channel].texels[pixel] = srgb_encode(linear.texels[pixel][channel]);
+            }
         }
     });
     return encoded;
+}
+
+/// The mean of the channels' maps.
+Image<double> mean_ssim_map(const EncodedChannels& first, const EncodedChannels& second) {
+    Image<double> mean(first.front().size);
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+        const Image<double> map = ssim_map(first[channel], second[channel]);
+        for (std::size_t pixel = 0; pixel < mean.texels.size(); ++pixel) {
+            mean.texels[pixel] += map.texels[pixel] / channels;
+        }
+    }
+    return mean;
 }
 
 template <typename Value>
@@ -48,6 +67,14 @@ double mean_over(const std::vector<std::size_t>& pixels, const Image<Value>& map
 
 }  // namespace
 
+Image<float> colour_ssim_map(const Colours& first, const Colours& second) {
+    const Image<double> map = mean_ssim_map(encoded_channels(first), encoded_channels(second));
+    Image<float> rounded(map.size);
+    std::transform(map.texels.begin(), map.texels.end(), rounded.texels.begin(),
+                   [](double value) { return static_cast<float>(value); });
+    return rounded;
+}
+
 ImageErrors compare_images(const Colours& technique, const HitImage& technique_hits, const Colours& truth,
                            const HitImage& truth_hits) {
     assert(technique.size == truth.size && technique_hits.size == truth.size && truth_hits.size == truth.size);
@@ -57,21 +84,19 @@ ImageErrors compare_images(const Colours& technique, const HitImage& technique_h
         return errors;
     }
     double sum_of_squares = 0;
-    double similarity = 0;
+    const EncodedChannels first = encoded_channels(technique);
+    const EncodedChannels second = encoded_channels(truth);
     for (std::size_t channel = 0; channel < channels; ++channel) {
-        const Image<double> first = encoded_channel(technique, channel);
-        const Image<double> second = encoded_channel(truth, channel);
         for (const std::size_t pixel : pixels) {
-            const double difference = first.texels[pixel] - second.texels[pixel];
+            const double difference = first[channel].texels[pixel] - second[channel].texels[pixel];
             sum_of_squares += difference * difference;
         }
-        similarity += mean_over(pixels, ssim_map(first, second));
     }
     errors.rmse = std::sqrt(sum_of_squares / static_cast<double>(channels * pixels.size()));
     if (*errors.rmse > 0) {
         errors.psnr = -20 * std::log10(*errors.rmse);
     }
-    errors.ssim = similarity / channels;
+    errors.ssim = mean_over(pixels, mean_ssim_map(first, second));
     errors.flip = mean_over(pixels, flip_map(technique, truth));
     return errors;
 }

@@ -24,4 +24,7 @@ struct ImageErrors {
 ImageErrors compare_images(const Image<std::array<float, 3>>& technique, const HitImage& technique_hits,
                            const Image<std::array<float, 3>>& truth, const HitImage& truth_hits);
 
+/// The structural similarity around each pixel: the mean of the three sRGB-encoded channels. Linear RGB.
+Image<float> colour_ssim_map(const Image<std::array<float, 3>>& first, const Image<std::array<float, 3>>& second);
+
 }  // namespace reliefbench

@@ -2,7 +2,7 @@
 
 #include "core/parallel.hpp"
 #include "core/statistics.hpp"
-#include "metrics/hit_errors.hpp"
+#include "metrics/pixel_errors.hpp"
 
 #include <glm/geometric.hpp>
 

@@ -99,7 +99,7 @@ struct Configuration {
     TruthSettings truth;
     SamplingSettings sampling;
     Lighting lighting;
-    /// Keep pictures of every cell in images/.
+    /// Keep pictures and error maps of every cell in images/.
     bool images = false;
     std::optional<MotionSettings> motion;
     /// The whole as JSON after overrides: written to run.json, and reads back to the same configuration. Paths of files

@@ -1,5 +1,7 @@
 #include "verify/promise_checks.hpp"
 
+#include "metrics/error_maps.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -25,11 +25,12 @@ const std::map<std::string, std::set<std::string>> allowed_includes = {
     {"sweep", {"manifest", "scene", "core"}},
     {"reference", {"scene", "core"}},
     {"metrics", {"scene", "core"}},
+    {"picture", {"metrics", "scene", "core"}},
     {"gpu", {"core"}},
     {"technique", {"manifest", "gpu", "scene", "core"}},
     {"store", {"sweep", "core"}},
     {"verify", {"technique", "manifest", "reference", "metrics", "scene", "gpu", "core"}},
-    {"measure", {"technique", "manifest", "reference", "metrics", "scene", "gpu", "store", "sweep", "core"}},
+    {"measure", {"technique", "manifest", "reference", "picture", "metrics", "scene", "gpu", "store", "sweep", "core"}},
     {"compare", {"store", "core"}},
     {"report", {"compare", "store", "core"}},
 };
@@ -41,7 +42,7 @@ const std::map<std::string, std::regex> confined_includes = {
     {"embree3/", std::regex("reference/mesh_tracer\\.cpp")},
     {"glslang/", std::regex("gpu/.*\\.cpp")},
     {"SPIRV/", std::regex("gpu/.*\\.cpp")},
-    {"stb_", std::regex("scene/plain_image_file\\.cpp")},
+    {"stb_", std::regex("scene/plain_image_file\\.cpp|picture/text\\.cpp")},
     {"CLI/", std::regex("cli/.*")},
     {"benchmark/", std::regex("cli/bench_command\\.cpp")},
 };

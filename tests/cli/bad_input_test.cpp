@@ -181,15 +181,6 @@ TEST_F(BadInput, ABrokenShaderFailsItsCellsAndNoOthers) {
     }
 }
 
-TEST_F(BadInput, ABrokenShaderCannotBeRendered) {
-    std::ofstream(copy_technique("steep", "mine") / "trace.glsl", std::ios::app) << "\nthis is no GLSL;\n";
-    const Outcome outcome = reliefbench({"render", "--technique", "mine", "--techniques", path("techniques"), "-a",
-                                         "resolution=32", "-o", path("picture.png")});
-    EXPECT_EQ(outcome.code, 2) << outcome.err;
-    EXPECT_THAT(outcome.err, AllOf(HasSubstr("mine"), HasSubstr("trace.glsl")));
-    EXPECT_FALSE(std::filesystem::exists(path("picture.png")));
-}
-
 TEST_F(BadInput, AnOutputFolderThatCannotBeMade) {
     // A file where a folder is wanted stops even root, whom permissions do not.
     const std::string file = write("file", "");
@@ -235,34 +226,6 @@ TEST_F(BadInput, AnUnknownCommandIsNamedWithThoseThereAre) {
     EXPECT_EQ(near.code, 2);
     EXPECT_THAT(near.err, HasSubstr("there is no command 'rum' (did you mean 'run'?); " + commands));
     EXPECT_THAT(reliefbench({}).err, testing::Not(HasSubstr("there is no command")));
-}
-
-struct BadRender {
-    std::vector<std::string> arguments;
-    std::string word;
-};
-
-TEST_F(BadInput, RenderRefusesWhatItCannotDraw) {
-    const std::vector<BadRender> cases = {
-        {{"--technique", "steeep", "-o", "x.png"}, "did you mean 'steep'?"},
-        {{"--technique", "steep", "-o", "x.jpg"}, ".png"},
-        {{"--technique", "steep", "-o", "x"}, ".png"},
-        {{"--technique", "steep", "-a", "view_angle=0,45", "-o", "x.png"}, "view_angle"},
-        {{"--technique", "steep", "-a", "view_angel=0", "-o", "x.png"}, "did you mean 'view_angle'?"},
-        {{"--technique", "steep", "--set", "colour=3", "-o", "x.png"}, "colour"},
-        {{"--technique", "steep", "--set", "colour", "-o", "x.png"}, "parameter=value"},
-        {{"--technique", "steep", "-a", "sample_count=-3", "-o", "x.png"}, "sample_count"},
-        {{"--technique", "steep", "-a", "heightmap=missing.png", "-o", "x.png"}, "missing.png"},
-        {{"--technique", "steep", "-a", "resolution=32", "-o", "missing/x.png"}, "missing/x.png"},
-    };
-    for (const BadRender& bad : cases) {
-        std::vector<std::string> arguments{"render"};
-        arguments.insert(arguments.end(), bad.arguments.begin(), bad.arguments.end());
-        const Outcome outcome = reliefbench(arguments);
-        EXPECT_EQ(outcome.code, 2) << testing::PrintToString(bad.arguments);
-        EXPECT_THAT(outcome.err, AllOf(HasSubstr("reliefbench: "), HasSubstr(bad.word)));
-        EXPECT_FALSE(std::filesystem::exists(path("x.png")));
-    }
 }
 
 }  // namespace

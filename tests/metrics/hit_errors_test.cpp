@@ -1,5 +1,6 @@
 #include "metrics/hit_errors.hpp"
 
+#include "metrics/error_maps.hpp"
 #include "scene/shading_normal.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 #include "verify_test.hpp"
 
+#include "metrics/error_maps.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,7 @@
 #include "verify_test.hpp"
 
 #include "core/random.hpp"
+#include "metrics/error_maps.hpp"
 #include "scene/procedural.hpp"
 
 #include <fmt/format.h>

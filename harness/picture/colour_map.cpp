@@ -1,4 +1,4 @@
-#include "scene/colour_map.hpp"
+#include "picture/colour_map.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,0 +1,35 @@
+#include "cli/cell_drawing.hpp"
+
+#include "core/error.hpp"
+
+namespace reliefbench {
+
+CellDrawing::CellDrawing(const gpu::Device& device, const TechniqueLibrary& library)
+    : device_(&device), library_(&library), inputs_(device, lighting_, TruthSettings{}) {}
+
+Probe CellDrawing::probe(const Cell& cell) {
+    inputs_.keep_only({cell.view});
+    const LoadedMap& loaded = inputs_.map(cell.view);
+    const Technique& technique = library_->get(cell.technique);
+    const View& view = cell.view.view;
+    const std::string unsupported =
+        unsupported_reason(*device_, technique, cell.parameters, view, loaded.map.heights.size);
+    if (!unsupported.empty()) fail("{}: {}", cell.id, unsupported);
+    Renderer renderer(*device_, technique, cell.parameters, loaded.scene, view, lighting_);
+    renderer.prepare();
+    return renderer.probe();
+}
+
+DrawnCell CellDrawing::beside_truth(const Cell& cell, const Probe& probe) {
+    return {probe, inputs_.truth(cell.view), inputs_.map(cell.view).map, cell.view.view.relief};
+}
+
+HitErrors hit_errors_of(const DrawnCell& drawn) {
+    return compare_hits(drawn.probe.hits, drawn.truth.hits, drawn.truth.footprint, drawn.map, drawn.relief);
+}
+
+ImageErrors image_errors_of(const DrawnCell& drawn) {
+    return compare_images(drawn.probe.colour, drawn.probe.hits, drawn.truth.colour, drawn.truth.hits);
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "gpu/device.hpp"
+#include "measure/pictures.hpp"
+#include "measure/shared_inputs.hpp"
+#include "metrics/hit_errors.hpp"
+#include "metrics/image_errors.hpp"
+#include "technique/technique.hpp"
+
+#include <string>
+
+namespace reliefbench {
+
+/// Draws cells outside runs: once each, untimed.
+class CellDrawing {
+public:
+    /// Both must outlive it.
+    CellDrawing(const gpu::Device& device, const TechniqueLibrary& library);
+
+    /// An Error when the device does not support the cell, or a shader does not compile.
+    Probe probe(const Cell& cell);
+    /// The parts are those of `probe` and of this object; its truth is valid until another view is drawn.
+    DrawnCell beside_truth(const Cell& cell, const Probe& probe);
+
+private:
+    const gpu::Device* device_;
+    const TechniqueLibrary* library_;
+    Lighting lighting_;
+    SharedInputs inputs_;
+};
+
+HitErrors hit_errors_of(const DrawnCell& drawn);
+ImageErrors image_errors_of(const DrawnCell& drawn);
+
+}  // namespace reliefbench

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "scene/hit.hpp"
+#include "scene/image.hpp"
+
+#include <cstdint>
+
+namespace reliefbench {
+
+/// What became of a pixel.
+enum class Coverage : std::uint8_t {
+    /// Neither the technique nor the truth hits.
+    neither,
+    both,
+    /// Truth hits inside the footprint and the technique does not.
+    missed,
+    /// The technique hits and truth does not.
+    false_hit,
+    /// Truth hits outside the footprint, where only real geometry can draw, and the technique does not.
+    missed_outside,
+};
+
+/// `footprint` is not 0 in the pixels of F. Images of equal size.
+Image<Coverage> coverage_map(const HitImage& technique, const HitImage& truth, const Image<std::uint8_t>& footprint);
+
+}  // namespace reliefbench
