@@ -26,6 +26,13 @@ int MapDeclaration::slices(const ParameterValues& values) const {
     return depth_parameter ? static_cast<int>(std::get<std::int64_t>(values.at(*depth_parameter))) : depth;
 }
 
+int Shape::patch_corners(const ParameterValues& values) const {
+    const bool triangles = !triangles_with.empty() && std::ranges::all_of(triangles_with, [&](const auto& named) {
+        return values.at(named.first) == named.second;
+    });
+    return triangles ? 3 : 4;
+}
+
 const Parameter* Manifest::find_parameter(const std::string& name) const {
     const auto found = std::ranges::find(parameters, name, &Parameter::name);
     return found == parameters.end() ? nullptr : &*found;

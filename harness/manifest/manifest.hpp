@@ -82,6 +82,11 @@ struct Shape {
     /// each `texels_per_patch` texels.
     std::string patches_parameter;
     int texels_per_patch = 64;
+    /// Kind::patches only: with these parameter values each quad of the grid is two triangles; empty: never.
+    ParameterValues triangles_with;
+
+    /// Of a patch: 4 or 3. Kind::patches only.
+    int patch_corners(const ParameterValues& values) const;
 };
 
 /// technique.json, read and checked. Pure data. Its schema is told in docs/adding_a_technique.md.

@@ -29,6 +29,8 @@ struct Parameter {
     std::string help;
     /// The value that the cited paper or sample uses, where it says one.
     std::optional<ParameterValue> published;
+    /// Known when GLSL is compiled, which then is done for each value: for what no specialization constant can decide.
+    bool compile_time = false;
 };
 
 /// Values by name. In a cell always complete: every parameter of the technique has one.

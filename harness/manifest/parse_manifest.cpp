@@ -95,15 +95,17 @@ Parameter parse_parameter(const JsonView& view, GlslNames& names) {
             parse_range(view.at("range"), parameter);
             break;
         case ParameterType::choice:
-            keys.push_back("choices");
+            keys.insert(keys.end(), {"choices", "compile_time"});
             view.require_only(keys);
             parameter.choices = parse_choices(view.at("choices"), parameter.name, names);
             break;
         case ParameterType::boolean:
+            keys.push_back("compile_time");
             view.require_only(keys);
             break;
     }
     parameter.default_value = read_parameter_value(parameter, view.at("default"));
+    if (view.has("compile_time")) parameter.compile_time = view.at("compile_time").boolean();
     if (view.has("published")) parameter.published = read_parameter_value(parameter, view.at("published"));
     parameter.help = line(view.at("help"));
     return parameter;
@@ -227,6 +229,17 @@ void parse_maps_and_passes(const JsonView& view, Manifest& manifest, GlslNames& 
     }
 }
 
+/// Values of some of the parameters.
+ParameterValues parse_values(const JsonView& view, const Manifest& manifest) {
+    ParameterValues values;
+    for (const auto& [name, value] : view.members()) {
+        const Parameter* parameter = manifest.find_parameter(name);
+        if (!parameter) value.fail_here(fmt::format("no parameter '{}'{}", name, parameter_names(manifest, name)));
+        values.emplace(name, read_parameter_value(*parameter, value));
+    }
+    return values;
+}
+
 Shape parse_shape(const JsonView& view, const Manifest& manifest) {
     Shape shape;
     if (!view.json().is_object()) {
@@ -235,7 +248,7 @@ Shape parse_shape(const JsonView& view, const Manifest& manifest) {
     }
     view.require_only({"patches"});
     const JsonView patches = view.at("patches");
-    patches.require_only({"parameter", "texels_per_patch"});
+    patches.require_only({"parameter", "texels_per_patch", "triangles"});
     shape.kind = Shape::Kind::patches;
     shape.patches_parameter = parse_integer_name(patches.at("parameter"), manifest);
     if (manifest.find_parameter(shape.patches_parameter)->minimum < 0) {
@@ -245,6 +258,7 @@ Shape parse_shape(const JsonView& view, const Manifest& manifest) {
         constexpr int largest_map = 16384;
         shape.texels_per_patch = static_cast<int>(patches.at("texels_per_patch").integer(1, largest_map));
     }
+    if (patches.has("triangles")) shape.triangles_with = parse_values(patches.at("triangles"), manifest);
     return shape;
 }
 
@@ -256,13 +270,7 @@ PromiseDeclaration parse_promise(const JsonView& view, const Manifest& manifest)
     if (is_order && !manifest.sample_count) {
         view.at("promise").fail_here("it needs a \"sample_count\", as it tells how errors fall with it");
     }
-    if (view.has("with")) {
-        for (const auto& [name, value] : view.at("with").members()) {
-            const Parameter* parameter = manifest.find_parameter(name);
-            if (!parameter) value.fail_here(fmt::format("no parameter '{}'{}", name, parameter_names(manifest, name)));
-            declared.with.emplace(name, read_parameter_value(*parameter, value));
-        }
-    }
+    if (view.has("with")) declared.with = parse_values(view.at("with"), manifest);
     if (view.has("halvings")) {
         if (declared.promise != Promise::order_1)
             view.at("halvings").fail_here("it belongs to the promise order_1 only");

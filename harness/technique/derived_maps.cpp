@@ -72,7 +72,7 @@ DerivedMaps::Pass DerivedMaps::make_pass(const Technique& technique, const PassD
                                          const SceneOnDevice::Textures& scene) const {
     const Manifest& manifest = technique.manifest;
     const Map& target = maps_[index_of_map(manifest, declaration.writes)];
-    const gpu::ComputePipelineOptions options{.shader = compile_pass(*device_, technique, declaration),
+    const gpu::ComputePipelineOptions options{.shader = compile_pass(*device_, technique, parameters, declaration),
                                               .constants = parameter_constants(manifest, parameters),
                                               .push_constant_bytes = sizeof(std::int32_t)};
     const bool above_base = declaration.levels == PassDeclaration::Levels::above_base;

@@ -11,7 +11,6 @@ namespace reliefbench {
 namespace {
 
 constexpr vk::Format depth_format = vk::Format::eD32Sfloat;
-constexpr std::uint32_t patch_corners = 4;
 /// Numbers for each pixel, and for all stages before the fragment stage together (work.glsl).
 constexpr std::size_t work_values = 4;
 
@@ -20,8 +19,8 @@ constexpr std::size_t work_values = 4;
 /// grows with the square of a draw's vertices: 16 such patches took five times as long in draws of 15 as in draws of 4.
 std::uint32_t vertices_per_draw(const gpu::Device& device, const DrawSetup& setup) {
     constexpr std::uint32_t patches_on_cpu = 4;
-    const bool limited = setup.patches && device.info().type == gpu::DeviceType::cpu;
-    return limited ? patches_on_cpu * patch_corners : setup.vertices;
+    const bool limited = setup.patch_corners > 0 && device.info().type == gpu::DeviceType::cpu;
+    return limited ? patches_on_cpu * setup.patch_corners : setup.vertices;
 }
 
 std::vector<vk::Format> target_formats(Draw::Kind kind) {
@@ -48,12 +47,13 @@ vk::ClearColorValue background_of(Draw::Kind kind, const std::array<float, 3>& l
 gpu::GraphicsPipelineOptions pipeline_options(const gpu::Device& device, const Technique& technique, Draw::Kind kind,
                                               const DrawSetup& setup) {
     gpu::GraphicsPipelineOptions options{
-        .stages = compile_draw(device, technique, kind == Draw::Kind::probed ? Variant::probed : Variant::timed),
+        .stages = compile_draw(device, technique, setup.parameters,
+                               kind == Draw::Kind::probed ? Variant::probed : Variant::timed),
         .constants = setup.constants,
         .colour_formats = target_formats(kind),
         .depth_format = depth_format,
         .extent = setup.extent,
-        .patch_vertices = setup.patches ? patch_corners : 0};
+        .patch_vertices = setup.patch_corners};
     options.constants[constant::srgb_target] = kind == Draw::Kind::timed_display ? 1 : 0;
     return options;
 }

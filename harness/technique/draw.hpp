@@ -17,10 +17,12 @@ namespace reliefbench {
 /// What a draw of a technique needs besides the technique.
 struct DrawSetup {
     vk::Extent2D extent;
+    ParameterValues parameters;
     gpu::SpecializationValues constants;
     std::vector<gpu::Binding> bindings;
     std::uint32_t vertices = 4;
-    bool patches = false;
+    /// Vertices of a patch; 0: no patches, but the strip of the quad.
+    std::uint32_t patch_corners = 0;
     /// Linear RGB.
     std::array<float, 3> background{};
 };

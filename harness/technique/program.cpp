@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <cctype>
 #include <limits>
 
 namespace reliefbench {
@@ -14,11 +15,36 @@ namespace {
 
 constexpr const char* pass_file = "pass.glsl";
 
-/// A constant for each parameter; its value always comes by specialization, so that all values share one compilation.
-std::string declare_parameters(const Manifest& manifest) {
+std::string upper_case(std::string word) {
+    std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return word;
+}
+
+/// A constant with its value, and a macro for the preprocessor: what layout qualifiers are chosen by.
+std::string declare_compile_time(const Parameter& parameter, const ParameterValue& value) {
+    const std::string macro = upper_case(parameter.name);
+    if (parameter.type == ParameterType::boolean) {
+        const bool set = std::get<bool>(value);
+        return fmt::format("const bool {} = {};\n{}", parameter.name, set, set ? "#define " + macro + " 1\n" : "");
+    }
+    const auto& word = std::get<std::string>(value);
+    const auto index = std::ranges::find(parameter.choices, word) - parameter.choices.begin();
+    return fmt::format("const int {} = {};\n#define {}_{} 1\n", parameter.name, index, macro, upper_case(word));
+}
+
+/// A constant for each parameter. Its value comes by specialization, so that all values share one compilation, but for
+/// those of compile time.
+std::string declare_parameters(const Manifest& manifest, const ParameterValues& values) {
     std::string text;
-    std::uint32_t id = constant::first_parameter;
+    std::uint32_t id = constant::first_parameter - 1;
     for (const Parameter& parameter : manifest.parameters) {
+        ++id;
+        for (std::size_t i = 0; i < parameter.choices.size(); ++i)
+            text += fmt::format("const int {}_{} = {};\n", parameter.name, parameter.choices[i], i);
+        if (parameter.compile_time) {
+            text += declare_compile_time(parameter, values.at(parameter.name));
+            continue;
+        }
         const char* declaration = nullptr;
         switch (parameter.type) {
             case ParameterType::integer:
@@ -32,11 +58,18 @@ std::string declare_parameters(const Manifest& manifest) {
                 declaration = "layout(constant_id = {}) const bool {} = false;\n";
                 break;
         }
-        text += fmt::format(fmt::runtime(declaration), id++, parameter.name);
-        for (std::size_t i = 0; i < parameter.choices.size(); ++i)
-            text += fmt::format("const int {}_{} = {};\n", parameter.name, parameter.choices[i], i);
+        text += fmt::format(fmt::runtime(declaration), id, parameter.name);
     }
     return text;
+}
+
+/// Values of the parameters of compile time: part of the key of what is compiled.
+std::string compile_time_key(const Manifest& manifest, const ParameterValues& values) {
+    std::string key;
+    for (const Parameter& parameter : manifest.parameters) {
+        if (parameter.compile_time) key += fmt::format(" {}={}", parameter.name, to_string(values.at(parameter.name)));
+    }
+    return key;
 }
 
 std::string declare_map(const MapDeclaration& map, std::size_t index) {
@@ -91,18 +124,26 @@ bool indexes_scene(const gpu::Device& device) {
     return device.info().type == gpu::DeviceType::cpu;
 }
 
-std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Technique& technique, Variant variant) {
+std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Technique& technique,
+                                             const ParameterValues& parameters, Variant variant) {
     const Manifest& manifest = technique.manifest;
     const bool probed = variant == Variant::probed;
     std::string preamble = probed ? "#define RELIEFBENCH_PROBED 1\n" : "";
     if (indexes_scene(device)) preamble += "#define RELIEFBENCH_INDEXED_SCENE 1\n";
-    preamble += declare_parameters(manifest);
+    preamble += declare_parameters(manifest, parameters);
     for (std::size_t i = 0; i < manifest.maps.size(); ++i)
         preamble += declare_map(manifest.maps[i], i);
+    std::string key = (probed ? "probed" : "timed") + compile_time_key(manifest, parameters);
+    if (manifest.shape.kind == Shape::Kind::patches) {
+        const std::string corners =
+            fmt::format("const int patch_corners = {};\n", manifest.shape.patch_corners(parameters));
+        preamble += corners;
+        key += corners;
+    }
 
     std::vector<gpu::CompiledStage> stages;
     for (const StageFile& file : stage_files(manifest.shape.kind)) {
-        stages.push_back(compile_stage(device, technique, probed ? "probed" : "timed",
+        stages.push_back(compile_stage(device, technique, key,
                                        {.stage = file.stage,
                                         .file = file.file,
                                         .roots = {},
@@ -112,9 +153,10 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
     return stages;
 }
 
-gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& technique, const PassDeclaration& pass) {
+gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& technique,
+                                const ParameterValues& parameters, const PassDeclaration& pass) {
     const Manifest& manifest = technique.manifest;
-    std::string preamble = declare_parameters(manifest);
+    std::string preamble = declare_parameters(manifest, parameters);
     for (const std::size_t map : maps_before(manifest, pass))
         preamble += declare_map(manifest.maps[map], map);
     const MapDeclaration& target = find_map(manifest, pass.writes);
@@ -123,7 +165,7 @@ gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& tech
                             target.format, target.is_volume() ? "image3D" : "image2D");
     if (target.is_volume()) preamble += "#define RELIEFBENCH_VOLUME 1\n";
     if (pass.levels == PassDeclaration::Levels::above_base) preamble += "#define RELIEFBENCH_ABOVE_BASE 1\n";
-    return compile_stage(device, technique, pass.name,
+    return compile_stage(device, technique, pass.name + compile_time_key(manifest, parameters),
                          {.stage = gpu::ShaderStage::compute,
                           .file = "prepare.comp",
                           .roots = {},

@@ -39,10 +39,12 @@ bool indexes_scene(const gpu::Device& device);
 enum class Variant { timed, probed };
 
 /// All stages of a technique's draw, from the device's shader cache where they have been compiled before. What does not
-/// compile is an Error that names technique, file and line.
-std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Technique& technique, Variant variant);
+/// compile is an Error that names technique, file and line. Of the parameters, those of compile time count.
+std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Technique& technique,
+                                             const ParameterValues& parameters, Variant variant);
 
-gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& technique, const PassDeclaration& pass);
+gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& technique,
+                                const ParameterValues& parameters, const PassDeclaration& pass);
 
 /// A parameter's value as the 32 bits of its specialization constant.
 gpu::SpecializationValues parameter_constants(const Manifest& manifest, const ParameterValues& values);

@@ -18,7 +18,7 @@ namespace reliefbench {
 
 namespace {
 
-constexpr std::uint32_t corners = 4;
+constexpr std::uint32_t quad_corners = 4;
 /// work.glsl: the bit beside the count of unconverged searches that says that a fragment ran.
 constexpr std::uint32_t covered_bit = 0x80000000u;
 constexpr std::size_t work_values = 4;
@@ -86,8 +86,8 @@ struct Renderer::State {
           uniforms(make_uniforms(view)),
           setup(make_setup(view, uniforms)) {
         // Both now, so that a shader that does not compile is known before anything is drawn.
-        compile_draw(device, technique, Variant::timed);
-        compile_draw(device, technique, Variant::probed);
+        compile_draw(device, technique, parameters, Variant::timed);
+        compile_draw(device, technique, parameters, Variant::probed);
     }
 
     const gpu::Device& device;
@@ -128,6 +128,7 @@ DrawSetup Renderer::State::make_setup(const View& from, const gpu::Buffer& value
     DrawSetup result;
     result.extent.width = static_cast<std::uint32_t>(from.resolution.width);
     result.extent.height = static_cast<std::uint32_t>(from.resolution.height);
+    result.parameters = parameters;
     result.constants = parameter_constants(technique.manifest, parameters);
     result.constants[constant::lighting_enabled] = lighting.enabled ? 1 : 0;
     result.constants[constant::relief_repeats] = from.relief.boundary == Boundary::repeat ? 1 : 0;
@@ -135,9 +136,15 @@ DrawSetup Renderer::State::make_setup(const View& from, const gpu::Buffer& value
     result.bindings.push_back(gpu::uniform_buffer(binding::scene, values.buffer));
     for (const gpu::Binding& map : maps.draw_bindings())
         result.bindings.push_back(map);
-    result.patches = technique.manifest.shape.kind == Shape::Kind::patches;
-    const PatchGrid grid = patch_grid(technique.manifest, parameters, from, scene.textures().size);
-    result.vertices = corners * static_cast<std::uint32_t>(grid.count.x * grid.count.y);
+    result.vertices = quad_corners;
+    const Shape& shape = technique.manifest.shape;
+    if (shape.kind == Shape::Kind::patches) {
+        const PatchGrid grid = patch_grid(technique.manifest, parameters, from, scene.textures().size);
+        result.patch_corners = static_cast<std::uint32_t>(shape.patch_corners(parameters));
+        const std::uint32_t patches_per_quad = result.patch_corners == quad_corners ? 1 : 2;
+        result.vertices =
+            result.patch_corners * patches_per_quad * static_cast<std::uint32_t>(grid.count.x * grid.count.y);
+    }
     for (int i = 0; i < 3; ++i)
         result.background[static_cast<std::size_t>(i)] = static_cast<float>(lighting.background[i]);
     return result;
@@ -224,7 +231,7 @@ PipelineStatistics Renderer::pipeline_statistics() {
     if (!state_->device.info().has_feature("pipelineStatisticsQuery")) return {};
     assert(state_->prepared);
     const Draw& display = state_->display();
-    const gpu::PipelineStatisticsQuery query(state_->device, state_->setup.patches);
+    const gpu::PipelineStatisticsQuery query(state_->device, state_->setup.patch_corners > 0);
     gpu::submit_and_wait(state_->device, "count pipeline statistics", [&](const vk::raii::CommandBuffer& commands) {
         display.begin(commands);
         query.start(commands);

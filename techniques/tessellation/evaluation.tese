@@ -1,13 +1,22 @@
 #include "patches.glsl"
+#include "grid_shift.glsl"
 
-layout(quads, equal_spacing, ccw) in;
+#ifdef SPACING_FRACTIONAL_EVEN
+#define SPACING fractional_even_spacing
+#elif defined(SPACING_FRACTIONAL_ODD)
+#define SPACING fractional_odd_spacing
+#else
+#define SPACING equal_spacing
+#endif
+#ifdef DOMAIN_TRIANGLES
+layout(triangles, SPACING, ccw) in;
+#else
+layout(quads, SPACING, ccw) in;
+#endif
 
-// Inner vertices move by the fraction of a quad that puts them on texel centres, where the bilinear surface has its
-// corners, whenever quads and texels go evenly into each other; the border of the patch stays where it is.
+// The border of the patch stays where it is.
 vec2 on_texel_centres(vec2 grid) {
-    vec2 quads = vec2(scene.patches_per_side * factor);
-    vec2 texels = scene.tiling * vec2(height_map_size());
-    vec2 shifted = grid + fract(0.5 * quads / texels) / quads;
+    vec2 shifted = grid + texel_centre_shift();
     if (relief_repeats) return shifted;
     return mix(min(shifted, 1.0), grid, lessThanEqual(grid * (1.0 - grid), vec2(0.0)));
 }

@@ -91,6 +91,22 @@ TEST(Manifest, IsReadInFull) {
     EXPECT_EQ(manifest.defaults().at("leaf"), ParameterValue(std::string("exact")));
 }
 
+TEST(Manifest, PatchesAreTrianglesWithTheValuesNamed) {
+    Json json = with("/shape", parse_json(R"({"patches": {"parameter": "binary_steps",
+                                             "triangles": {"leaf": "linear", "adaptive": true}}})",
+                                          "test"));
+    json["parameters"][5]["compile_time"] = true;
+    const Manifest manifest = parse(json);
+    EXPECT_TRUE(manifest.parameters[5].compile_time);
+    EXPECT_FALSE(manifest.parameters[4].compile_time);
+    ParameterValues values = manifest.defaults();
+    EXPECT_EQ(manifest.shape.patch_corners(values), 4);
+    values["leaf"] = std::string("linear");
+    EXPECT_EQ(manifest.shape.patch_corners(values), 4);
+    values["adaptive"] = true;
+    EXPECT_EQ(manifest.shape.patch_corners(values), 3);
+}
+
 TEST(Manifest, DepthIsANumberOrAParameter) {
     EXPECT_EQ(parse(with("/maps/1/depth", 7)).maps[1].slices({}), 7);
     const MapDeclaration map = parse(with("/maps/1/depth", "max_steps")).maps[1];
@@ -166,6 +182,11 @@ TEST(Manifest, WhatIsWrongIsNamedWithItsPlace) {
         {"/maps/2", R"({"name": "idle", "format": "r8"})", "no pass writes the map 'idle'"},
         {"/maps/1/mip_chain", "true", "no pass writes the levels above the base of the map 'cones'"},
         {"/maps/0/mip_chain", "false", "$.passes[1]: the map 'tree' has no level above its base"},
+        {"/parameters/0/compile_time", "true", "$.parameters[0]"},
+        {"/shape", R"({"patches": {"parameter": "binary_steps", "triangles": {"leave": "linear"}}})",
+         "$.shape.patches.triangles.leave: no parameter 'leave'"},
+        {"/shape", R"({"patches": {"parameter": "binary_steps", "triangles": {"leaf": "round"}}})",
+         "$.shape.patches.triangles.leaf"},
         {"/maps/0/depth", "4", "$.maps[0].depth: a map of three dimensions has one level"},
         {"/maps/1/depth", "0", "$.maps[1].depth"},
         {"/maps/1/depth", "\"max_step\"", "no parameter 'max_step' (did you mean 'max_steps'?)"},

@@ -134,6 +134,39 @@ TEST_F(Compilation, ParametersArriveByNameAndType) {
     EXPECT_FALSE(make_renderer(device(), technique, scene, view).probe().hits.at(1, 1).is_hit());
 }
 
+/// Where the preprocessor decides there is one compilation for each value; other parameters still share it.
+TEST_F(Compilation, ParametersOfCompileTimeReachThePreprocessor) {
+    const std::string parameters =
+        R"({"name": "form", "type": "choice", "choices": ["low", "high"], "default": "low", "compile_time": true, "help": "h"},
+           {"name": "raised", "type": "boolean", "default": false, "compile_time": true, "help": "h"},
+           {"name": "part", "type": "real", "default": 0.125, "range": [0, 1], "help": "h"})";
+    const TemporaryTechnique folder(Files{{"technique.json", manifest_json(parameters)}, {"trace.glsl", R"(
+        Trace trace(ReliefRay ray) {
+            float h = part;
+        #ifdef FORM_HIGH
+            h += form == form_high ? 0.25 : 0.0;
+        #endif
+        #ifdef RAISED
+            h += raised ? 0.5 : 0.0;
+        #endif
+            return hit_off_ray(ray.uv, h, 0);
+        })"}});
+    const Technique technique = folder.load();
+    const SceneOnDevice scene(device(), make_map({4, 4}, [](int, int) { return 0.5; }), grey_albedo());
+    const View view = make_view(0, Projection::parallel, {2, 2});
+    const auto height = [&](const std::string& form, bool raised, double part) {
+        const ParameterValues values{{"form", form}, {"raised", raised}, {"part", part}};
+        return make_renderer(device(), technique, scene, view, {}, values).probe().hits.at(1, 1).h;
+    };
+    EXPECT_EQ(height("low", false, 0.125), 0.125f);
+    EXPECT_EQ(height("high", false, 0.125), 0.375f);
+    EXPECT_EQ(height("high", true, 0.125), 0.875f);
+    EXPECT_EQ(height("low", true, 0.125), 0.625f);
+    const int compilations = shader_compilations(device());
+    EXPECT_EQ(height("low", true, 0.0625), 0.5625f);
+    EXPECT_EQ(shader_compilations(device()), compilations);
+}
+
 TEST_F(Compilation, DeviceLimitsGiveAReason) {
     const TemporaryTechnique folder(Files{{"trace.glsl", flat_trace}});
     const Technique technique = folder.load();

@@ -22,6 +22,44 @@ ParameterValues grid(std::int64_t patches, std::int64_t factor) {
     return {{"patches", patches}, {"factor", factor}};
 }
 
+/// Everything that decides how patches are cut, at settings under which neighbours get different factors.
+std::vector<ParameterValues> ways_to_cut() {
+    std::vector<ParameterValues> all;
+    for (const std::string domain : {"quads", "triangles"}) {
+        for (const std::string spacing : {"equal", "fractional_even", "fractional_odd"}) {
+            for (const std::string factor_by : {"distance", "edge_length"}) {
+                all.push_back({{"domain", domain},
+                               {"spacing", spacing},
+                               {"factor_by", factor_by},
+                               {"patches", std::int64_t{6}},
+                               {"factor", std::int64_t{14}},
+                               {"near_distance", 0.3},
+                               {"far_distance", 1.2},
+                               {"segment_pixels", 4.0}});
+            }
+        }
+    }
+    return all;
+}
+
+/// From so near that factors differ much, over a relief that goes on past the picture: every ray hits a sheet without
+/// holes.
+View view_of_seams() {
+    View view = perspective_view(55, -70);
+    view.camera.distance = 0.8;
+    view.relief.height_scale = 0.25;
+    view.relief.boundary = Boundary::repeat;
+    view.resolution = {192, 192};
+    return view;
+}
+
+std::size_t holes(const Comparison& found) {
+    std::size_t count = 0;
+    for (std::size_t pixel = 0; pixel < found.truth.footprint.texels.size(); ++pixel)
+        count += found.truth.footprint.texels[pixel] != 0 && !found.probe.hits.texels[pixel].is_hit() ? 1 : 0;
+    return count;
+}
+
 }  // namespace
 
 TEST_F(Tessellation, DepthErrorFallsWithEachDoublingUpToTexelSpacing) {
@@ -89,6 +127,142 @@ TEST_F(Tessellation, CoversTheReliefOutsideTheQuad) {
     for (const std::string technique : {"flat", "parallax", "steep", "relief", "pom", "qdm"}) {
         EXPECT_EQ(compare(technique, {}, scene, view).errors.outside_quad_covered.value_or(1), 0) << technique;
     }
+}
+
+TEST_F(Tessellation, SeamsHaveNoHoles) {
+    const CoordinateScene scene(device(), procedural("rock", {32, 32}));
+    for (const ParameterValues& cut : ways_to_cut())
+        EXPECT_EQ(holes(compare("tessellation", cut, scene, view_of_seams())), 0U)
+            << describe(cut, shipped("tessellation").manifest);
+}
+
+/// What the test above would see.
+TEST_F(Tessellation, FactorsThatNeighboursDoNotShareTearHoles) {
+    const CoordinateScene scene(device(), procedural("rock", {32, 32}));
+    const BrokenCopy copy("tessellation", "control.tesc", "surface_point(0.5 * (a + b), 1.0)",
+                          "surface_point(vertex_corner[0], 1.0)");
+    for (const ParameterValues& cut : ways_to_cut()) {
+        const ParameterValues values = with_values(copy.technique().manifest, cut);
+        EXPECT_GT(holes(compare_with_truth(device(), copy.technique(), values, scene, view_of_seams())), 5U)
+            << describe(cut, copy.technique().manifest);
+    }
+}
+
+/// Beyond the frustum, and behind crests: of waves, and where triangles are not halves of even quads, so that few backs
+/// are certain enough to be left out, of a ridge with plain sides.
+TEST_F(Tessellation, CullingLeavesPatchesOutAndThePictureAsItIs) {
+    struct Case {
+        const CoordinateScene* scene;
+        View view;
+        std::string factor_by;
+        std::string domain;
+        /// Of the vertices.
+        double drawn_at_most;
+    };
+    constexpr int side = 128;
+    const CoordinateScene waves(device(), procedural("waves", {side, side}));
+    const CoordinateScene ridge(device(), map_of({side, side}, [](int x, int) {
+                                    return 1 - std::abs(x - side / 2) / static_cast<double>(side / 2);
+                                }));
+    View close = view_of_seams();
+    close.camera.distance = 0.35;
+    View grazing = parallel_view(84, -70);
+    grazing.relief.height_scale = 1;
+    View far = perspective_view(82, 20);
+    far.relief.height_scale = 0.5;
+    const std::vector<Case> cases{
+        {&waves, close, "distance", "quads", 0.8},  {&waves, close, "fixed", "triangles", 0.8},
+        {&waves, grazing, "fixed", "quads", 0.8},   {&waves, far, "fixed", "quads", 0.9},
+        {&ridge, far, "fixed", "triangles", 0.8},   {&ridge, far, "edge_length", "triangles", 0.9},
+        {&ridge, grazing, "distance", "quads", 0.9}};
+    const Technique technique = shipped("tessellation");
+    for (const Case& each : cases) {
+        const ParameterValues settings{{"patches", std::int64_t{48}},
+                                       {"factor", std::int64_t{3}},
+                                       {"factor_by", each.factor_by},
+                                       {"domain", each.domain}};
+        const std::string what = describe(settings, technique.manifest) + ", " +
+                                 describe({&waves == each.scene ? "waves" : "ridge", {side, side}, each.view});
+        const auto draw = [&](bool cull) {
+            ParameterValues values = with_values(technique.manifest, settings);
+            values.at("cull") = cull;
+            Renderer renderer(device(), technique, values, each.scene->on_device, each.view, coordinate_lighting());
+            renderer.prepare();
+            return std::pair{renderer.probe(), renderer.pipeline_statistics()};
+        };
+        const auto [all, all_statistics] = draw(false);
+        const auto [culled, culled_statistics] = draw(true);
+        EXPECT_EQ(all.hits.texels, culled.hits.texels) << what;
+        EXPECT_EQ(all.colour.texels, culled.colour.texels) << what;
+        if (all_statistics.empty()) continue;
+        const char* const vertices = "tessellation_evaluation_shader_invocations";
+        EXPECT_LE(static_cast<double>(culled_statistics.at(vertices)),
+                  each.drawn_at_most * static_cast<double>(all_statistics.at(vertices)))
+            << what;
+    }
+}
+
+/// What the test above would see.
+TEST_F(Tessellation, CullingByThePolygonAloneChangesThePicture) {
+    const CoordinateScene scene(device(), procedural("waves", {64, 64}));
+    const BrokenCopy copy("tessellation", "patch_culling.glsl", "surface_point(uv, float(corner >> 2))",
+                          "surface_point(uv, 1.0)");
+    View view = view_of_seams();
+    view.camera.distance = 0.35;
+    const ParameterValues settings{{"patches", std::int64_t{24}}, {"factor", std::int64_t{6}}, {"cull", true}};
+    const Comparison broken =
+        compare_with_truth(device(), copy.technique(), with_values(copy.technique().manifest, settings), scene, view);
+    EXPECT_NE(broken.probe.hits.texels, compare("tessellation", settings, scene, view).probe.hits.texels);
+}
+
+TEST_F(Tessellation, TrianglesAndGrowingSegmentsShowTheSameSurface) {
+    const CoordinateScene scene(device(), procedural("rock", {64, 64}));
+    const View view = perspective_view(60, -70);
+    const auto hits = [&](const std::string& domain, const std::string& spacing, std::int64_t factor) {
+        return compare("tessellation",
+                       {{"domain", domain}, {"spacing", spacing}, {"factor", factor}, {"patches", std::int64_t{4}}},
+                       scene, view);
+    };
+    const Comparison quads = hits("quads", "equal", 16);
+    ASSERT_TRUE(quads.errors.uv_texels);
+    // An even number of segments of a side are even segments.
+    EXPECT_EQ(hits("quads", "fractional_even", 16).probe.hits.texels, quads.probe.hits.texels);
+    for (const auto& [domain, spacing] :
+         {std::pair{"triangles", "equal"}, {"quads", "fractional_odd"}, {"triangles", "fractional_odd"}}) {
+        const Comparison found = hits(domain, spacing, 32);
+        ASSERT_TRUE(found.errors.uv_texels);
+        EXPECT_LT(found.errors.uv_texels->p95, 1.5 * quads.errors.uv_texels->p95) << domain << ' ' << spacing;
+        EXPECT_GT(found.errors.coverage_iou, 0.99) << domain << ' ' << spacing;
+    }
+}
+
+TEST_F(Tessellation, FactorsFollowDistanceAndLengthOnTheScreen) {
+    const CoordinateScene scene(device(), procedural("rock", {64, 64}));
+    const View view = perspective_view(45, -70);
+    const auto vertices = [&](ParameterValues settings) {
+        settings.emplace("patches", std::int64_t{4});
+        return compare("tessellation", settings, scene, view).probe.stages.taps;
+    };
+    const auto fixed = [&](std::int64_t factor) { return vertices({{"factor", factor}}); };
+    const auto by_distance = [&](double near, double far) {
+        return vertices({{"factor_by", std::string("distance")},
+                         {"factor", std::int64_t{16}},
+                         {"min_factor", std::int64_t{4}},
+                         {"near_distance", near},
+                         {"far_distance", far}});
+    };
+    EXPECT_EQ(by_distance(50, 100), fixed(16));
+    EXPECT_EQ(by_distance(0.01, 0.02), fixed(4));
+    EXPECT_GT(by_distance(1, 2), 1.2 * fixed(4));
+    EXPECT_LT(by_distance(1, 2), 0.8 * fixed(16));
+
+    const auto by_length = [&](double pixels) {
+        return vertices({{"factor_by", std::string("edge_length")}, {"segment_pixels", pixels}});
+    };
+    // Two more vertices on each side than segments of it, so that four times as many segments are less than four times
+    // as many vertices.
+    EXPECT_GT(by_length(1), 2.5 * by_length(2));
+    EXPECT_GT(by_length(2), 1.8 * by_length(4));
 }
 
 }  // namespace reliefbench::test
