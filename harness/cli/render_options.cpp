@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 namespace reliefbench {
@@ -150,9 +149,7 @@ std::vector<Shown> shown_by(const RenderOptions& options) {
 
 OutputKind check_output(const std::string& path) {
     const std::filesystem::path file(path);
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = file.extension().string();
     if (extension != ".png" && extension != ".exr") {
         fail("cannot render to '{}': give a file name that ends in .png (pictures) or .exr (float layers)", path);
     }

@@ -5,6 +5,7 @@
 #include "scene/netpbm.hpp"
 #include "scene/raster_limits.hpp"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -14,7 +15,6 @@
 #include <cstdint>
 #include <fstream>
 #include <memory>
-#include <system_error>
 
 namespace reliefbench {
 
@@ -48,29 +48,29 @@ void divide_exactly(std::vector<float>& values, OIIO::TypeDesc stored) {
         value = static_cast<float>(std::round(value * maximum) / maximum);
 }
 
-/// Deletes an unfinished file unless told that it was moved into place.
-class PartialFile {
-public:
-    explicit PartialFile(const std::filesystem::path& target)
-        : path_(target.parent_path() / (target.stem().string() + ".partial" + target.extension().string())) {}
-    PartialFile(const PartialFile&) = delete;
-    PartialFile& operator=(const PartialFile&) = delete;
-    ~PartialFile() {
-        std::error_code ignored;
-        std::filesystem::remove(path_, ignored);
+std::string encoded(const std::filesystem::path& path, const RasterFile& raster, bool as_png) {
+    OIIO::ImageSpec spec(raster.size.width, raster.size.height, raster.channels(),
+                         as_png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
+    spec.channelnames = raster.channel_names;
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    if (!as_png) spec.attribute("compression", "zip");
+    // Into memory: OpenImageIO does not notice that a disk is full when it closes a PNG file.
+    OIIO::Filesystem::IOVecOutput bytes;
+    void* proxy = static_cast<OIIO::Filesystem::IOProxy*>(&bytes);
+    spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+
+    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(as_png ? "png" : "exr");
+    if (!output) fail("cannot write image '{}': {}", path.string(), reason(OIIO::geterror()));
+    bool written = output->open(path.filename().string(), spec);
+    if (written && as_png) {
+        written = output->write_image(OIIO::TypeDesc::UINT8, to_bytes(raster.values).data());
+    } else if (written) {
+        written = output->write_image(OIIO::TypeDesc::FLOAT, raster.values.data());
     }
-
-    const std::filesystem::path& path() const { return path_; }
-
-    void move_to(const std::filesystem::path& target) {
-        std::error_code error;
-        std::filesystem::rename(path_, target, error);
-        if (error) fail("cannot write '{}': {}", target.string(), error.message());
-    }
-
-private:
-    std::filesystem::path path_;
-};
+    written = written && output->close();
+    if (!written) fail("cannot write image '{}': {}", path.string(), reason(output->geterror()));
+    return {bytes.buffer().begin(), bytes.buffer().end()};
+}
 
 }  // namespace
 
@@ -123,25 +123,7 @@ void write_raster_file(const std::filesystem::path& path, const RasterFile& rast
         fail("cannot write image '{}': PNG takes one to four channels, not {}; use .exr", path.string(),
              raster.channels());
     }
-
-    OIIO::ImageSpec spec(raster.size.width, raster.size.height, raster.channels(),
-                         as_png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
-    spec.channelnames = raster.channel_names;
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    if (!as_png) spec.attribute("compression", "zip");
-
-    PartialFile partial(path);
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(extension.substr(1));
-    if (!output) fail("cannot write image '{}': {}", path.string(), reason(OIIO::geterror()));
-    bool written = output->open(partial.path().string(), spec);
-    if (written && as_png) {
-        written = output->write_image(OIIO::TypeDesc::UINT8, to_bytes(raster.values).data());
-    } else if (written) {
-        written = output->write_image(OIIO::TypeDesc::FLOAT, raster.values.data());
-    }
-    written = written && output->close();
-    if (!written) fail("cannot write image '{}': {}", path.string(), reason(output->geterror()));
-    partial.move_to(path);
+    write_text_file(path, encoded(path, raster, as_png));
 }
 
 }  // namespace reliefbench

@@ -165,6 +165,7 @@ TEST_F(Render, RefusesWhatItCannotDraw) {
         {{"--technique", "steeep", "-o", "x.png"}, "did you mean 'steep'?"},
         {{"--technique", "steep", "-o", "x.jpg"}, ".png"},
         {{"--technique", "steep", "-o", "x"}, ".png"},
+        {{"--technique", "steep", "-o", "x.PNG"}, ".png"},
         {{"--technique", "steep", "-a", "view_angle=0,45", "-o", "x.png"}, "view_angle"},
         {{"--technique", "steep", "-a", "view_angel=0", "-o", "x.png"}, "did you mean 'view_angle'?"},
         {{"--technique", "steep", "--set", "colour=3", "-o", "x.png"}, "colour"},

@@ -6,8 +6,10 @@
 #include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
@@ -142,6 +144,37 @@ TEST_F(ImageFile, RefusesAbsurdSizesBeforeItAllocates) {
     EXPECT_THAT(error_message([&] { read_raster_file(folder_ / "huge.ppm"); }), HasSubstr("huge.ppm"));
     std::ofstream(folder_ / "nothing.ppm") << "P6\n0 0\n255\n";
     EXPECT_THAT(error_message([&] { read_raster_file(folder_ / "nothing.ppm"); }), HasSubstr("nothing.ppm"));
+}
+
+/// Files of this process cannot grow beyond some bytes while it lives: as if the disk were full.
+class SmallDisk {
+public:
+    explicit SmallDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limit{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~SmallDisk() {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+
+private:
+    rlimit before_{};
+    void (*handler_)(int);
+};
+
+TEST_F(ImageFile, AFullDiskIsAnErrorAndLeavesNothingBehind) {
+    const RasterFile raster = ramp({64, 64}, {"R", "G", "B"});
+    for (const char* name : {"picture.png", "picture.exr"}) {
+        const std::filesystem::path path = folder_ / name;
+        write_raster_file(path, raster);
+        const std::uintmax_t whole = std::filesystem::file_size(path);
+        std::filesystem::remove(path);
+        const SmallDisk disk(whole / 2);
+        EXPECT_THAT(error_message([&] { write_raster_file(path, raster); }), HasSubstr(path.string()));
+        EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
+    }
 }
 
 }  // namespace
