@@ -57,26 +57,33 @@ void set_sample_count(const Manifest& manifest, ParameterValues& values, std::in
         std::max<std::int64_t>(1, std::llround(static_cast<double>(count) * ratio));
 }
 
-Manifest load_manifest(const std::filesystem::path& folder) {
+void reset_idle(const Manifest& manifest, ParameterValues& values) {
+    for (const Parameter& parameter : manifest.parameters) {
+        if (!all_hold(parameter.only_with, values)) values.at(parameter.name) = parameter.default_value;
+    }
+}
+
+Manifest load_manifest(const std::filesystem::path& folder, const std::filesystem::path& shared) {
     // "techniques/pom/" has an empty last component.
     const std::filesystem::path named = folder.has_filename() ? folder : folder.parent_path();
     const std::string id = std::filesystem::absolute(named).lexically_normal().filename().string();
     const std::filesystem::path file = folder / "technique.json";
-    Manifest manifest = parse_manifest(read_json_file(file), id, file.string());
+    Manifest manifest = parse_manifest(read_json_file(file), id, file.string(), shared);
 
-    const auto require_file = [&](const std::string& name, const std::string& why) {
-        if (!std::filesystem::is_regular_file(folder / name)) {
-            fail("{}: {} needs the shader file '{}', which is not in the folder; add it", file.string(), why, name);
+    const auto require_file = [&](const std::filesystem::path& root, const std::string& name, const std::string& why) {
+        if (!std::filesystem::is_regular_file(root / name)) {
+            fail("{}: {} needs the shader file '{}', which is not in the folder {}; add it", file.string(), why, name,
+                 root.string());
         }
     };
     if (manifest.shape.kind == Shape::Kind::quad) {
-        require_file("trace.glsl", "the shape \"quad\"");
+        require_file(folder, "trace.glsl", "the shape \"quad\"");
     } else {
-        require_file("control.tesc", "the shape \"patches\"");
-        require_file("evaluation.tese", "the shape \"patches\"");
+        require_file(folder, "control.tesc", "the shape \"patches\"");
+        require_file(folder, "evaluation.tese", "the shape \"patches\"");
     }
     for (const PassDeclaration& pass : manifest.passes)
-        require_file(pass.shader, "the pass '" + pass.name + "'");
+        require_file(pass.is_shared ? shared : folder, pass.shader, "the pass '" + pass.name + "'");
     return manifest;
 }
 

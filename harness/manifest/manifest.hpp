@@ -48,6 +48,8 @@ struct MapDeclaration {
     bool mip_chain = false;
     /// Hardware filtering between texels; otherwise nearest.
     bool linear_filter = false;
+    /// All must hold, or the map is idle: neither made nor counted, and the height map is bound in its place.
+    std::vector<ParameterCondition> only_with;
     /// How many slices a three-dimensional map has, over the height from 0 to 1: a number, or the integer parameter
     /// that has it. Neither: the map has two dimensions.
     int depth = 0;
@@ -62,8 +64,10 @@ struct MapDeclaration {
 struct PassDeclaration {
     enum class Levels { base, above_base };
     std::string name;
-    /// A file of the technique's folder that defines void prepare(ivec2 texel).
+    /// A file that defines void prepare(ivec2 texel): of the technique's folder, or, of an included set, of the shared
+    /// shaders.
     std::string shader;
+    bool is_shared = false;
     /// The map that it writes.
     std::string writes;
     Levels levels = Levels::base;
@@ -114,11 +118,16 @@ struct Manifest {
 };
 
 /// Strict: unknown keys, wrong types, names that GLSL cannot take, promises with unknown parameters, passes that write
-/// undeclared maps, are Errors that name the file and the JSON path.
-Manifest parse_manifest(const Json& json, const std::string& id, const std::string& file);
+/// undeclared maps, are Errors that name the file and the JSON path. The sets of parameters that it includes are files
+/// of the folder `shared` (harness/shaders); one of them, quad.json, belongs to every technique of the shape "quad".
+Manifest parse_manifest(const Json& json, const std::string& id, const std::string& file,
+                        const std::filesystem::path& shared = {});
 
 /// Reads <folder>/technique.json; the folder's name is the id. Missing shader files are Errors too.
-Manifest load_manifest(const std::filesystem::path& folder);
+Manifest load_manifest(const std::filesystem::path& folder, const std::filesystem::path& shared = {});
+
+/// Sets parameters that have no effect beside the others' values to their defaults, so that what draws alike is alike.
+void reset_idle(const Manifest& manifest, ParameterValues& values);
 
 /// Sets the sample count to `count`, and the adaptive minimum to round(count · its default ratio), at least 1.
 /// The manifest must have a sample count. Ranges are not checked.

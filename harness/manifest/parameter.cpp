@@ -35,6 +35,23 @@ bool in_range(const Parameter& parameter, double number) {
 
 }  // namespace
 
+bool all_hold(const std::vector<ParameterCondition>& conditions, const ParameterValues& values) {
+    return std::ranges::all_of(conditions, [&](const ParameterCondition& condition) {
+        return std::ranges::find(condition.values, values.at(condition.parameter)) != condition.values.end();
+    });
+}
+
+std::string describe(const std::vector<ParameterCondition>& conditions) {
+    std::vector<std::string> texts;
+    for (const ParameterCondition& condition : conditions) {
+        std::vector<std::string> values;
+        for (const ParameterValue& value : condition.values)
+            values.push_back(to_string(value));
+        texts.push_back(condition.parameter + "=" + join(values, " or "));
+    }
+    return join(texts);
+}
+
 std::string to_string(const ParameterValue& value) {
     struct Writer {
         std::string operator()(bool held) const { return held ? "true" : "false"; }

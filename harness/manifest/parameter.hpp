@@ -14,6 +14,12 @@ enum class ParameterType { integer, real, boolean, choice };
 /// A choice is held as its word. Booleans come first so that no other type converts into them silently.
 using ParameterValue = std::variant<bool, std::int64_t, double, std::string>;
 
+/// That a parameter has one of these values.
+struct ParameterCondition {
+    std::string parameter;
+    std::vector<ParameterValue> values;
+};
+
 /// A technique's parameter, declared once in technique.json; it drives the CLI, the checks, the documents and the
 /// specialization constant of the same name.
 struct Parameter {
@@ -31,10 +37,18 @@ struct Parameter {
     std::optional<ParameterValue> published;
     /// Known when GLSL is compiled, which then is done for each value: for what no specialization constant can decide.
     bool compile_time = false;
+    /// All must hold, or the parameter has no effect: it is idle and keeps its default. They name parameters before it.
+    std::vector<ParameterCondition> only_with = {};
 };
 
 /// Values by name. In a cell always complete: every parameter of the technique has one.
 using ParameterValues = std::map<std::string, ParameterValue>;
+
+/// Whether all of the conditions hold; the values must be complete.
+bool all_hold(const std::vector<ParameterCondition>& conditions, const ParameterValues& values);
+
+/// "refinement=binary, leaf=linear or exact".
+std::string describe(const std::vector<ParameterCondition>& conditions);
 
 /// "64", "0.5", "true", "exact": as the CLI and cell ids write it. Reals in the shortest form that reads back equal.
 std::string to_string(const ParameterValue& value);

@@ -1,26 +1,22 @@
 #include "core/error.hpp"
 #include "core/suggest.hpp"
+#include "manifest/included_sets.hpp"
 #include "manifest/manifest.hpp"
 #include "manifest/parameter_json.hpp"
-#include "manifest/reserved_names.hpp"
+#include "manifest/parse_parameter.hpp"
 #include "manifest/words.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 
 namespace reliefbench {
 
 namespace {
 
-constexpr std::int64_t int32_minimum = std::numeric_limits<std::int32_t>::min();
-constexpr std::int64_t int32_maximum = std::numeric_limits<std::int32_t>::max();
 /// What every Vulkan device must offer is 256; no device has more than this.
 constexpr std::int64_t most_slices = 16384;
-constexpr double float_maximum = std::numeric_limits<float>::max();
 
 /// The enumerators' words, in the order of the enumeration.
-const std::vector<std::string> parameter_types{"integer", "real", "boolean", "choice"};
 const std::vector<std::string> promises{"first_hit", "order_1", "order_2", "conservative"};
 const std::vector<std::string> map_sizes{"height_map", "next_power_of_two"};
 const std::vector<std::string> pass_levels{"base", "above_base"};
@@ -28,88 +24,6 @@ const std::vector<std::string> pass_levels{"base", "above_base"};
 const std::vector<std::string> kinds = words("texture parallax march hierarchy cone geometry");
 const std::vector<std::string> known_features{"tessellationShader"};
 const std::vector<std::string> map_formats{"r8", "r16", "r32f", "rg32f", "rgba8", "rgba16", "rgba32f"};
-
-std::string line(const JsonView& view) {
-    const std::string text = view.string();
-    if (text.empty() || text.find('\n') != std::string::npos) view.fail_expected("one line of text");
-    return text;
-}
-
-/// Every identifier that the generated preamble declares; two alike would not compile.
-class GlslNames {
-public:
-    void add_checked(const JsonView& view) {
-        const std::string complaint = check_glsl_name(view.string());
-        if (!complaint.empty()) view.fail_here(complaint);
-        add(view, view.string());
-    }
-    void add(const JsonView& view, const std::string& name) {
-        if (!names_.insert(name).second) view.fail_here(fmt::format("the name '{}' is given twice", name));
-    }
-
-private:
-    std::set<std::string> names_;
-};
-
-std::vector<std::string> parse_choices(const JsonView& view, const std::string& parameter, GlslNames& names) {
-    std::vector<std::string> choices;
-    for (const JsonView& item : view.items()) {
-        const std::string word = item.string();
-        const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-        const auto fits = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
-        if (word.empty() || !letter(word.front()) || word.back() == '_' || !std::ranges::all_of(word, fits) ||
-            word.find("__") != std::string::npos) {
-            item.fail_expected("a word of letters, digits and single underscores, a letter first");
-        }
-        names.add(item, parameter + "_" + word);
-        choices.push_back(word);
-    }
-    if (choices.empty()) view.fail_expected("at least one choice");
-    return choices;
-}
-
-void parse_range(const JsonView& view, Parameter& parameter) {
-    const std::vector<JsonView> ends = view.items();
-    if (ends.size() != 2) view.fail_expected("[minimum, maximum]");
-    const auto read = [&](const JsonView& end) {
-        if (parameter.type == ParameterType::real) return end.number(-float_maximum, float_maximum);
-        return static_cast<double>(end.integer(int32_minimum, int32_maximum));
-    };
-    parameter.minimum = read(ends[0]);
-    parameter.maximum = read(ends[1]);
-    if (parameter.minimum > parameter.maximum) view.fail_expected("a minimum that is not above the maximum");
-}
-
-Parameter parse_parameter(const JsonView& view, GlslNames& names) {
-    Parameter parameter;
-    names.add_checked(view.at("name"));
-    parameter.name = view.at("name").string();
-    parameter.type = static_cast<ParameterType>(view.at("type").choice(parameter_types));
-
-    std::vector<std::string> keys{"name", "type", "default", "help", "published"};
-    switch (parameter.type) {
-        case ParameterType::integer:
-        case ParameterType::real:
-            keys.push_back("range");
-            view.require_only(keys);
-            parse_range(view.at("range"), parameter);
-            break;
-        case ParameterType::choice:
-            keys.insert(keys.end(), {"choices", "compile_time"});
-            view.require_only(keys);
-            parameter.choices = parse_choices(view.at("choices"), parameter.name, names);
-            break;
-        case ParameterType::boolean:
-            keys.push_back("compile_time");
-            view.require_only(keys);
-            break;
-    }
-    parameter.default_value = read_parameter_value(parameter, view.at("default"));
-    if (view.has("compile_time")) parameter.compile_time = view.at("compile_time").boolean();
-    if (view.has("published")) parameter.published = read_parameter_value(parameter, view.at("published"));
-    parameter.help = line(view.at("help"));
-    return parameter;
-}
 
 std::string parameter_names(const Manifest& manifest, const std::string& word) {
     std::vector<std::string> names;
@@ -152,7 +66,7 @@ void parse_depth(const JsonView& view, const Manifest& manifest, MapDeclaration&
 }
 
 MapDeclaration parse_map(const JsonView& view, const Manifest& manifest, GlslNames& names) {
-    view.require_only({"name", "format", "size", "mip_chain", "linear_filter", "depth"});
+    view.require_only({"name", "format", "size", "mip_chain", "linear_filter", "depth", "only_with"});
     MapDeclaration map;
     names.add_checked(view.at("name"));
     map.name = view.at("name").string();
@@ -161,6 +75,10 @@ MapDeclaration parse_map(const JsonView& view, const Manifest& manifest, GlslNam
     if (view.has("mip_chain")) map.mip_chain = view.at("mip_chain").boolean();
     if (view.has("linear_filter")) map.linear_filter = view.at("linear_filter").boolean();
     if (view.has("depth")) parse_depth(view.at("depth"), manifest, map);
+    if (view.has("only_with")) {
+        if (map.is_volume()) view.at("only_with").fail_here("a map of three dimensions cannot be idle");
+        map.only_with = parse_conditions(view.at("only_with"), manifest.parameters);
+    }
     return map;
 }
 
@@ -180,7 +98,7 @@ struct Written {
 PassDeclaration parse_pass(const JsonView& view, const Manifest& manifest, std::map<std::string, Written>& written) {
     view.require_only({"name", "shader", "writes", "levels"});
     PassDeclaration pass;
-    pass.name = line(view.at("name"));
+    pass.name = parse_line(view.at("name"));
     if (std::ranges::find(manifest.passes, pass.name, &PassDeclaration::name) != manifest.passes.end()) {
         view.at("name").fail_here(fmt::format("the name '{}' is given twice", pass.name));
     }
@@ -210,6 +128,7 @@ PassDeclaration parse_pass(const JsonView& view, const Manifest& manifest, std::
 }
 
 void parse_maps_and_passes(const JsonView& view, Manifest& manifest, GlslNames& names) {
+    const std::size_t maps_before = manifest.maps.size();
     if (view.has("maps")) {
         for (const JsonView& item : view.at("maps").items())
             manifest.maps.push_back(parse_map(item, manifest, names));
@@ -220,7 +139,8 @@ void parse_maps_and_passes(const JsonView& view, Manifest& manifest, GlslNames& 
             manifest.passes.push_back(parse_pass(item, manifest, written));
         }
     }
-    for (const MapDeclaration& map : manifest.maps) {
+    for (std::size_t i = maps_before; i < manifest.maps.size(); ++i) {
+        const MapDeclaration& map = manifest.maps[i];
         const Written& state = written[map.name];
         if (!state.base) view.fail_here(fmt::format("no pass writes the map '{}'", map.name));
         if (map.mip_chain && !state.above_base) {
@@ -298,21 +218,21 @@ void check_id(const std::string& id, const std::string& file) {
 
 }  // namespace
 
-Manifest parse_manifest(const Json& json, const std::string& id, const std::string& file) {
+Manifest parse_manifest(const Json& json, const std::string& id, const std::string& file,
+                        const std::filesystem::path& shared) {
     check_id(id, file);
     const JsonView view(json, file);
-    view.require_only({"title", "kind", "citation", "parameters", "sample_count", "sample_count_minimum", "features",
-                       "maps", "passes", "shape", "promises"});
+    view.require_only({"title", "kind", "citation", "include", "parameters", "sample_count", "sample_count_minimum",
+                       "features", "maps", "passes", "shape", "promises"});
     Manifest manifest;
     manifest.id = id;
-    manifest.title = line(view.at("title"));
+    manifest.title = parse_line(view.at("title"));
     manifest.kind = kinds[view.at("kind").choice(kinds)];
-    manifest.citation = line(view.at("citation"));
+    manifest.citation = parse_line(view.at("citation"));
 
+    const std::vector<IncludedSet> sets = read_included_sets(view, shared);
     GlslNames names;
-    for (const JsonView& item : view.at("parameters").items()) {
-        manifest.parameters.push_back(parse_parameter(item, names));
-    }
+    manifest.parameters = parse_parameters(view.at("parameters"), sets, names);
     if (view.has("sample_count")) manifest.sample_count = parse_sample_count_name(view.at("sample_count"), manifest);
     if (view.has("sample_count_minimum")) {
         const JsonView minimum = view.at("sample_count_minimum");
@@ -331,6 +251,12 @@ Manifest parse_manifest(const Json& json, const std::string& id, const std::stri
         }
     }
     parse_maps_and_passes(view, manifest, names);
+    for (const IncludedSet& set : sets) {
+        const std::size_t own_passes = manifest.passes.size();
+        parse_maps_and_passes(set.view(), manifest, names);
+        for (std::size_t i = own_passes; i < manifest.passes.size(); ++i)
+            manifest.passes[i].is_shared = true;
+    }
     manifest.shape = parse_shape(view.at("shape"), manifest);
     const bool tessellates = std::ranges::find(manifest.features, "tessellationShader") != manifest.features.end();
     if (manifest.shape.kind == Shape::Kind::patches && !tessellates) manifest.features.push_back("tessellationShader");

@@ -1,5 +1,6 @@
 // A per-pixel technique: its trace() from the ray of this pixel, then the boundary, the depth and the colour.
 
+#include "lod_fade.glsl"
 #include "relief.glsl"
 #include "scene.glsl"
 #include "surface.glsl"
@@ -11,8 +12,12 @@ void main() {
     float t_per_s = scene.height_scale / -view.direction.z;
     vec2 max_offset = view.direction.xy * t_per_s;
 
-    Trace found = trace(ReliefRay(scene.tiling * view.entry, scene.tiling * max_offset, -view.direction,
-                                  scene.tiling * scene.height_scale));
+    vec2 uv = scene.tiling * view.entry;
+    vec2 uv_dx = dFdx(uv);
+    vec2 uv_dy = dFdy(uv);
+    ReliefRay ray = ReliefRay(uv, scene.tiling * max_offset, -view.direction, scene.tiling * scene.height_scale, uv_dx,
+                              uv_dy, footprint_level(uv_dx, uv_dy));
+    Trace found = trace_with_lod(ray, view.entry_t);
     count_pixel(scene.resolution, gl_FragCoord.xy, found.steps, found.converged);
     if (found.kind == trace_miss) discard;
 

@@ -12,6 +12,11 @@ struct ReliefRay {
     vec2 max_offset;  // texture coordinates travelled from h = 1 to h = 0
     vec3 to_eye;      // unit vector in tangent space
     float height;     // height scale in units of texture coordinates
+    // Of the pixel's footprint on the polygon: derivatives of `uv` in screen space, and the level of the height map's mip
+    // chain whose texels are as large, negative where texels are larger than pixels.
+    vec2 uv_dx;
+    vec2 uv_dy;
+    float level;
 };
 
 const int trace_miss = 0;
@@ -38,6 +43,12 @@ Trace miss(int steps) { return Trace(trace_miss, 0.0, vec2(0.0), 0.0, steps, tru
 Trace unconverged(Trace result) {
     result.converged = false;
     return result;
+}
+
+// As samplers choose it without anisotropy.
+float footprint_level(vec2 uv_dx, vec2 uv_dy) {
+    vec2 size = vec2(height_map_size());
+    return log2(max(length(uv_dx * size), length(uv_dy * size)));
 }
 
 vec2 point_on_ray(ReliefRay ray, float s) { return ray.uv + s * ray.max_offset; }

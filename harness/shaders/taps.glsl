@@ -40,10 +40,19 @@ vec4 tap_height_cell(ivec2 cell) {
     return textureGather(height_texels, vec2(cell + 1) / vec2(height_map_size()), 0).wzxy;
 }
 
+bool between_levels(float lod) { return lod > 0.0 && fract(lod) > 0.0; }
+
 // A derived map through its own filter, repeating.
 vec4 tap_map(sampler2D map, vec2 uv, float lod) {
-    count_tap(4u);
+    count_tap(between_levels(lod) ? 8u : 4u);
     return textureLod(map, uv, lod);
+}
+
+// The same at the level that the sampler chooses for a pixel with these derivatives of its texture coordinates; counted as
+// between two levels.
+vec4 tap_map_gradients(sampler2D map, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+    count_tap(8u);
+    return textureGrad(map, uv, uv_dx, uv_dy);
 }
 
 // A map of three dimensions: repeating along u and v, clamped along the height.

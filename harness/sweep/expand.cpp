@@ -5,6 +5,7 @@
 #include "sweep/plan.hpp"
 
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -26,6 +27,8 @@ using GroupChoices = std::vector<GroupChoice>;
 struct Assignment {
     const PlannedTechnique* technique = nullptr;
     ParameterValues values;
+    /// Parameters that axes have set.
+    std::vector<std::string> swept;
     std::string skip_reason;
     std::string id;
 };
@@ -75,25 +78,14 @@ public:
 
     /// The defaults, changed by the axes; without the values set by name.
     Assignment assign(const GroupChoices& outer, const GroupChoices& inner) const {
-        Assignment assignment{&technique_, technique_.manifest->defaults(), {}, {}};
-        std::vector<std::string> changed;
+        Assignment assignment{&technique_, technique_.manifest->defaults(), {}, {}, {}};
         // The sample count first: an axis of the adaptive minimum's own name then replaces what follows from it.
         for (const bool sample_count : {true, false}) {
             for (const GroupChoices* choices : {&outer, &inner}) {
                 for (const GroupChoice& choice : *choices)
-                    apply(choice, sample_count, assignment.values, changed);
+                    apply(choice, sample_count, assignment);
             }
         }
-        std::vector<std::string> complaints;
-        for (const std::string& name : changed) {
-            if (is_set_by_name(technique_, name)) continue;
-            const Parameter& parameter = *technique_.manifest->find_parameter(name);
-            const std::string complaint = check_parameter_value(parameter, assignment.values.at(name));
-            if (!complaint.empty() && std::ranges::find(complaints, complaint) == complaints.end()) {
-                complaints.push_back(complaint);
-            }
-        }
-        assignment.skip_reason = join(complaints, "; ");
         return assignment;
     }
 
@@ -111,28 +103,42 @@ public:
             named = std::move(extended);
         }
         for (Assignment& assignment : named) {
+            reset_idle(*technique_.manifest, assignment.values);
+            assignment.skip_reason = complain_of_swept_values(assignment);
             assignment.id = technique_id(*technique_.manifest, assignment.values);
             assignments.push_back(std::move(assignment));
         }
     }
 
 private:
-    void apply(const GroupChoice& choice, bool sample_count, ParameterValues& values,
-               std::vector<std::string>& changed) const {
+    void apply(const GroupChoice& choice, bool sample_count, Assignment& assignment) const {
         const Manifest& manifest = *technique_.manifest;
         for (const std::size_t index : choice.group->axes) {
             const PlannedAxis& axis = plan_.axes[index];
             if ((axis.name == "sample_count") != sample_count || !is_affected_by(axis)) continue;
             const Json& value = axis.values[choice.index];
             if (sample_count) {
-                set_sample_count(manifest, values, value.get<std::int64_t>());
-                changed.push_back(*manifest.sample_count);
-                if (manifest.sample_count_minimum) changed.push_back(*manifest.sample_count_minimum);
+                set_sample_count(manifest, assignment.values, value.get<std::int64_t>());
+                assignment.swept.push_back(*manifest.sample_count);
+                if (manifest.sample_count_minimum) assignment.swept.push_back(*manifest.sample_count_minimum);
             } else {
-                values[axis.name] = axis_parameter_value(*manifest.find_parameter(axis.name), value);
-                changed.push_back(axis.name);
+                assignment.values[axis.name] = axis_parameter_value(*manifest.find_parameter(axis.name), value);
+                assignment.swept.push_back(axis.name);
             }
         }
+    }
+
+    std::string complain_of_swept_values(const Assignment& assignment) const {
+        std::vector<std::string> complaints;
+        for (const std::string& name : assignment.swept) {
+            if (is_set_by_name(technique_, name)) continue;
+            const Parameter& parameter = *technique_.manifest->find_parameter(name);
+            const std::string complaint = check_parameter_value(parameter, assignment.values.at(name));
+            if (!complaint.empty() && std::ranges::find(complaints, complaint) == complaints.end()) {
+                complaints.push_back(complaint);
+            }
+        }
+        return join(complaints, "; ");
     }
 
     const Plan& plan_;
@@ -140,8 +146,43 @@ private:
     std::unordered_set<std::string> axis_names_;
 };
 
+/// Notices values that are given to parameters without effect in any cell (Parameter::only_with).
+class IdleValues {
+public:
+    void see(const Assignment& assignment) {
+        const TechniqueSelection& selection = *assignment.technique->selection;
+        for (const auto& [name, values] : selection.parameters)
+            see(assignment, name, &selection);
+        for (const std::string& name : assignment.swept)
+            see(assignment, name, nullptr);
+    }
+
+    void fail_if_any(const Configuration& configuration) const {
+        for (const auto& [given, needs] : needs_) {
+            const auto& [name, selection] = given;
+            if (needs.empty()) continue;
+            const auto axis = std::ranges::find(configuration.axes, name, &Axis::name);
+            const Origin& origin = selection                          ? selection->origin
+                                   : axis == configuration.axes.end() ? configuration.origin
+                                                                      : axis->origin;
+            fail("{}: {}: '{}' has no effect in any cell: it needs {}", origin.file, origin.path, name, needs);
+        }
+    }
+
+private:
+    void see(const Assignment& assignment, const std::string& name, const TechniqueSelection* selection) {
+        const Parameter& parameter = *assignment.technique->manifest->find_parameter(name);
+        const bool has_effect = all_hold(parameter.only_with, assignment.values);
+        const auto [found, is_new] = needs_.try_emplace({name, selection}, describe(parameter.only_with));
+        if (has_effect) found->second.clear();
+    }
+
+    /// By parameter and, where it is set by name, selection: what it would need, or nothing once it had an effect.
+    std::map<std::pair<std::string, const TechniqueSelection*>, std::string> needs_;
+};
+
 /// Every technique with every set of parameters that a view is drawn with, no two alike.
-std::vector<Assignment> assignments_of(const Plan& plan, const GroupChoices& outer) {
+std::vector<Assignment> assignments_of(const Plan& plan, const GroupChoices& outer, IdleValues& idle_values) {
     std::vector<Assignment> assignments;
     for (const PlannedTechnique& technique : plan.techniques) {
         const Assigner assigner(plan, technique);
@@ -153,6 +194,8 @@ std::vector<Assignment> assignments_of(const Plan& plan, const GroupChoices& out
             assigner.append_named(assigner.assign(outer, inner), assignments);
         });
     }
+    for (const Assignment& assignment : assignments)
+        idle_values.see(assignment);
     std::unordered_set<std::string> ids;
     std::erase_if(assignments, [&](const Assignment& assignment) { return !ids.insert(assignment.id).second; });
     return assignments;
@@ -286,11 +329,15 @@ std::vector<Cell> expand(const Configuration& configuration, const std::vector<M
     check_size(plan, configuration.origin);
 
     Matrix matrix(plan, configuration.origin);
+    IdleValues idle_values;
     std::vector<Assignment> assignments;
     for_each_choice(outer_groups, [&](const GroupChoices& outer) {
-        if (assignments.empty() || outer_sets_parameters) assignments = assignments_of(plan, outer);
+        if (assignments.empty() || outer_sets_parameters) {
+            assignments = assignments_of(plan, outer, idle_values);
+        }
         matrix.add(view_of(plan, outer), assignments);
     });
+    idle_values.fail_if_any(configuration);
     std::vector<Cell> cells = matrix.take();
     if (cells.empty()) {
         fail("{}: no cell is left: \"exclude\" drops all of them; drop fewer", configuration.origin.file);

@@ -54,24 +54,30 @@ vk::Extent2D map_extent(const MapDeclaration& map, Resolution height_map) {
 
 DerivedMaps::DerivedMaps(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
                          const SceneOnDevice::Textures& scene)
-    : device_(&device) {
+    : device_(&device), heights_(&scene) {
     for (const MapDeclaration& map : technique.manifest.maps) {
+        if (!all_hold(map.only_with, parameters)) {
+            maps_.emplace_back();
+            continue;
+        }
         const vk::Extent2D extent = map_extent(map, scene.size);
         const std::uint32_t levels = map.mip_chain ? gpu::full_mip_chain(extent) : 1;
         const vk::Filter filter = map.linear_filter ? vk::Filter::eLinear : vk::Filter::eNearest;
         const auto slices = static_cast<std::uint32_t>(map.slices(parameters));
-        maps_.push_back({gpu::Texture(device, extent, vulkan_format(map), levels, map_usage, slices),
-                         gpu::make_sampler(device, {.filter = filter})});
+        maps_.emplace_back(Map{gpu::Texture(device, extent, vulkan_format(map), levels, map_usage, slices),
+                               gpu::make_sampler(device, {.filter = filter})});
     }
-    for (const PassDeclaration& pass : technique.manifest.passes)
-        passes_.push_back(make_pass(technique, pass, parameters, scene));
+    for (const PassDeclaration& pass : technique.manifest.passes) {
+        if (maps_[index_of_map(technique.manifest, pass.writes)])
+            passes_.push_back(make_pass(technique, pass, parameters, scene));
+    }
 }
 
 DerivedMaps::Pass DerivedMaps::make_pass(const Technique& technique, const PassDeclaration& declaration,
                                          const ParameterValues& parameters,
                                          const SceneOnDevice::Textures& scene) const {
     const Manifest& manifest = technique.manifest;
-    const Map& target = maps_[index_of_map(manifest, declaration.writes)];
+    const Map& target = *maps_[index_of_map(manifest, declaration.writes)];
     const gpu::ComputePipelineOptions options{.shader = compile_pass(*device_, technique, parameters, declaration),
                                               .constants = parameter_constants(manifest, parameters),
                                               .push_constant_bytes = sizeof(std::int32_t)};
@@ -87,9 +93,7 @@ DerivedMaps::Pass DerivedMaps::make_pass(const Technique& technique, const PassD
             bindings.push_back(gpu::sampled_image(binding::previous_map, target.texture.level_views[level - 1],
                                                   scene.nearest_repeat, vk::ImageLayout::eGeneral));
         for (const std::size_t map : maps_before(manifest, declaration))
-            bindings.push_back(gpu::sampled_image(binding::first_derived_map + static_cast<std::uint32_t>(map),
-                                                  maps_[map].texture.view, maps_[map].sampler,
-                                                  vk::ImageLayout::eGeneral));
+            bindings.push_back(bind_map(map, vk::ImageLayout::eGeneral));
         sizes.push_back(target.texture.level_extent(level));
     }
     Pass pass{.name = declaration.name,
@@ -114,25 +118,29 @@ void DerivedMaps::record_pass(const vk::raii::CommandBuffer& commands, const Pas
 
 Preparation DerivedMaps::prepare(int samples) {
     Preparation result;
-    for (const Map& map : maps_)
-        result.bytes += map.texture.bytes;
-    if (maps_.empty()) return result;
+    std::vector<const gpu::Texture*> textures;
+    for (const std::optional<Map>& map : maps_) {
+        if (!map) continue;
+        textures.push_back(&map->texture);
+        result.bytes += map->texture.bytes;
+    }
+    if (textures.empty()) return result;
 
     for (int sample = 0; sample < samples; ++sample) {
         const gpu::Timestamps timestamps(*device_,
                                          static_cast<std::uint32_t>(std::max<std::size_t>(passes_.size(), 1)));
         gpu::submit_and_wait(*device_, "prepare the derived maps", [&](const vk::raii::CommandBuffer& commands) {
             timestamps.reset(commands);
-            for (const Map& map : maps_)
-                gpu::change_layout(commands, *map.texture.image, map.texture.all(), vk::ImageLayout::eUndefined,
+            for (const gpu::Texture* texture : textures)
+                gpu::change_layout(commands, *texture->image, texture->all(), vk::ImageLayout::eUndefined,
                                    vk::ImageLayout::eGeneral);
             for (std::uint32_t i = 0; i < passes_.size(); ++i) {
                 timestamps.start(commands, i);
                 record_pass(commands, passes_[i]);
                 timestamps.end(commands, i);
             }
-            for (const Map& map : maps_)
-                gpu::change_layout(commands, *map.texture.image, map.texture.all(), vk::ImageLayout::eGeneral,
+            for (const gpu::Texture* texture : textures)
+                gpu::change_layout(commands, *texture->image, texture->all(), vk::ImageLayout::eGeneral,
                                    vk::ImageLayout::eShaderReadOnlyOptimal);
         });
         if (passes_.empty()) continue;
@@ -143,12 +151,18 @@ Preparation DerivedMaps::prepare(int samples) {
     return result;
 }
 
+gpu::Binding DerivedMaps::bind_map(std::size_t index, vk::ImageLayout layout) const {
+    const std::uint32_t place = binding::first_derived_map + static_cast<std::uint32_t>(index);
+    const std::optional<Map>& map = maps_[index];
+    if (map) return gpu::sampled_image(place, map->texture.view, map->sampler, layout);
+    return gpu::sampled_image(place, heights_->heights.view, heights_->nearest_repeat,
+                              vk::ImageLayout::eShaderReadOnlyOptimal);
+}
+
 std::vector<gpu::Binding> DerivedMaps::draw_bindings() const {
     std::vector<gpu::Binding> bindings;
     for (std::size_t i = 0; i < maps_.size(); ++i)
-        bindings.push_back(gpu::sampled_image(binding::first_derived_map + static_cast<std::uint32_t>(i),
-                                              maps_[i].texture.view, maps_[i].sampler,
-                                              vk::ImageLayout::eShaderReadOnlyOptimal));
+        bindings.push_back(bind_map(i, vk::ImageLayout::eShaderReadOnlyOptimal));
     return bindings;
 }
 

@@ -7,6 +7,7 @@
 #include "technique/renderer.hpp"
 #include "technique/scene_textures.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace reliefbench {
@@ -41,8 +42,13 @@ private:
     Pass make_pass(const Technique& technique, const PassDeclaration& declaration, const ParameterValues& parameters,
                    const SceneOnDevice::Textures& scene) const;
 
+    /// The height map in place of one that is idle.
+    gpu::Binding bind_map(std::size_t index, vk::ImageLayout layout) const;
+
     const gpu::Device* device_;
-    std::vector<Map> maps_;
+    const SceneOnDevice::Textures* heights_;
+    /// As in the manifest; empty where one is idle.
+    std::vector<std::optional<Map>> maps_;
     std::vector<Pass> passes_;
 };
 

@@ -67,6 +67,7 @@ std::string unsupported_reason(const gpu::Device& device, const Technique& techn
         return fmt::format("{}x{} pixels need more work counters than {} holds in a buffer", view.resolution.width,
                            view.resolution.height, info.name);
     for (const MapDeclaration& map : technique.manifest.maps) {
+        if (!all_hold(map.only_with, parameters)) continue;
         const std::string reason = unsupported_map(device, map, parameters, height_map);
         if (!reason.empty()) return reason;
     }

@@ -94,7 +94,7 @@ TechniqueLibrary find_techniques(const std::vector<fs::path>& roots, const fs::p
     std::sort(folders.begin(), folders.end(), by_id);
     for (const fs::path& folder : folders) {
         try {
-            library.techniques.push_back({load_manifest(folder), folder, hash_folder(folder), shaders});
+            library.techniques.push_back({load_manifest(folder, shaders), folder, hash_folder(folder), shaders});
         } catch (const Error& error) {
             library.broken.emplace_back(folder.filename().string(), error.what());
         }

@@ -1,8 +1,9 @@
 #include "march.glsl"
-#include "refinement.glsl"
 
-// Linear search, then the line through the surface's heights at the layer's ends.
+// By default a linear search, then the line through the surface's heights at the layer's ends.
 Trace trace(ReliefRay ray) {
-    Refined refined = refine_linearly(find_crossing(ray, layer_count(ray, min_steps, max_steps, adaptive)));
+    float layers = layer_count(ray);
+    Crossing crossing = find_crossing(ray, layers);
+    Refined refined = refine(ray, crossing, layers);
     return hit_on_ray(refined.s, refined.steps);
 }

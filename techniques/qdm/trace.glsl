@@ -43,14 +43,7 @@ int start_level(CellRay ray, int leaf_level) {
 // Drobot's level of detail. The sampler's rule, rounded down: a texel of that mip level covers no more than a pixel
 // along the direction in which the texture is seen smallest.
 int finest_leaf(ReliefRay ray) {
-    int finest = finest_level;
-    if (level_by_mip) {
-        vec2 size = vec2(height_map_size());
-        vec2 across = dFdx(ray.uv) * size;
-        vec2 down = dFdy(ray.uv) * size;
-        float texels = sqrt(max(dot(across, across), dot(down, down)));
-        finest = max(finest, int(log2(max(texels, 1.0))));
-    }
+    int finest = level_by_mip ? max(finest_level, int(max(ray.level, 0.0))) : finest_level;
     return min(finest, textureQueryLevels(quadtree) - 1);
 }
 

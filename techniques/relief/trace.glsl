@@ -1,9 +1,9 @@
 #include "march.glsl"
-#include "refinement.glsl"
 
-// Linear search, then a binary search in the layer found.
+// By default a linear search, then a binary search in the layer found.
 Trace trace(ReliefRay ray) {
-    Crossing crossing = find_crossing(ray, layer_count(ray, min_steps, max_steps, adaptive));
-    Refined refined = refine_by_halving(ray, crossing, binary_steps);
+    float layers = layer_count(ray);
+    Crossing crossing = find_crossing(ray, layers);
+    Refined refined = refine(ray, crossing, layers);
     return hit_on_ray(refined.s, refined.steps);
 }

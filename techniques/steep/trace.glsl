@@ -1,7 +1,10 @@
 #include "march.glsl"
 
-// The first layer at or beneath the surface is the answer: never in front of the surface, up to one layer too deep.
+// By default the first layer at or beneath the surface is the answer: never in front of the surface, up to one layer too
+// deep.
 Trace trace(ReliefRay ray) {
-    Crossing crossing = find_crossing(ray, layer_count(ray, min_steps, max_steps, adaptive));
-    return hit_on_ray(crossing.s_below, crossing.steps);
+    float layers = layer_count(ray);
+    Crossing crossing = find_crossing(ray, layers);
+    Refined refined = refine(ray, crossing, layers);
+    return hit_on_ray(refined.s, refined.steps);
 }

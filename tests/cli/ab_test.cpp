@@ -31,11 +31,11 @@ protected:
         // No search depends on another one's result, and none can be left out.
         write(side + "/mine/trace.glsl", R"(#include "march.glsl"
 Trace trace(ReliefRay ray) {
-    int layers = )" + layers + R"(;
+    float layers = )" + layers + R"(;
     Crossing crossing = find_crossing(ray, layers);
     for (int i = 1; i < )" + std::to_string(searches) +
                                              R"(; ++i) {
-        if (find_crossing(ray, layers + i).s_below < -1.0) return miss(0);
+        if (find_crossing(ray, layers + float(i)).s_below < -1.0) return miss(0);
     }
     return hit_on_ray(crossing.s_below, crossing.steps);
 }
@@ -61,7 +61,7 @@ Trace trace(ReliefRay ray) {
     std::string configuration_;
 };
 
-constexpr const char* own_layers = "layer_count(ray, min_steps, max_steps, adaptive)";
+constexpr const char* own_layers = "layer_count(ray)";
 
 TEST_F(Ab, AShaderThatSearchesEightTimesIsSlower) {
     write_trace("techniques", 8, own_layers);

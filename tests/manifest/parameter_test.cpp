@@ -11,15 +11,15 @@ namespace {
 using testing::HasSubstr;
 
 Parameter integer_parameter() {
-    return {"steps", ParameterType::integer, std::int64_t{8}, 1, 64, {}, "Steps.", {}};
+    return {"steps", ParameterType::integer, std::int64_t{8}, 1, 64, {}, "Steps.", {}, {}};
 }
 
 Parameter real_parameter() {
-    return {"bias", ParameterType::real, 0.0, -0.5, 0.5, {}, "Bias.", {}};
+    return {"bias", ParameterType::real, 0.0, -0.5, 0.5, {}, "Bias.", {}, {}};
 }
 
 Parameter choice_parameter() {
-    return {"leaf", ParameterType::choice, std::string("linear"), 0, 0, {"linear", "exact"}, "Leaf.", {}};
+    return {"leaf", ParameterType::choice, std::string("linear"), 0, 0, {"linear", "exact"}, "Leaf.", {}, {}};
 }
 
 TEST(Parameter, ValuesAreWrittenAsShortAsTheyReadBack) {
@@ -35,7 +35,7 @@ TEST(Parameter, TextIsReadAsTheParametersType) {
     EXPECT_EQ(parse_parameter_value(integer_parameter(), "64"), ParameterValue(std::int64_t{64}));
     EXPECT_EQ(parse_parameter_value(real_parameter(), "1"), ParameterValue(1.0));
     EXPECT_EQ(parse_parameter_value(choice_parameter(), "exact"), ParameterValue(std::string("exact")));
-    const Parameter boolean{"on", ParameterType::boolean, false, 0, 0, {}, "On.", {}};
+    const Parameter boolean{"on", ParameterType::boolean, false, 0, 0, {}, "On.", {}, {}};
     EXPECT_EQ(parse_parameter_value(boolean, "true"), ParameterValue(true));
     EXPECT_EQ(parse_parameter_value(boolean, "false"), ParameterValue(false));
     for (const char* text : {"", "8.5", "8 ", "eight", "99999999999999999999"}) {

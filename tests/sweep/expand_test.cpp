@@ -119,6 +119,39 @@ TEST(Expansion, EveryAxisOfAViewIsAReservedName) {
     EXPECT_NE(check_glsl_name("technique"), "");
 }
 
+/// A technique with a parameter that only one of its searches has.
+std::vector<Cell> expand_refined(const std::string& parameters, const std::string& axes) {
+    std::vector<Manifest> techniques = fake_techniques();
+    const Json manifest = parse_json(R"({"title": "Fake", "kind": "march", "citation": "Nobody", "shape": "quad",
+        "promises": [], "parameters": [
+            {"name": "search", "type": "choice", "choices": ["none", "binary"], "default": "none", "help": "Last."},
+            {"name": "halvings", "type": "integer", "default": 6, "range": [0, 24], "help": "Halvings.",
+             "only_with": {"search": "binary"}}]})",
+                                     "refined");
+    techniques.push_back(parse_manifest(manifest, "refined", "refined"));
+    const Json json = parse_json(R"({"techniques": [{"technique": "refined", "parameters": )" + parameters +
+                                     R"(}], "axes": {"heightmap": "rock")" + axes + "}}",
+                                 "test.json");
+    return expand(parse_configuration(json, "test.json", {}, techniques), techniques);
+}
+
+TEST(Expansion, IdleParametersMakeNoCellsOfTheirOwn) {
+    EXPECT_THAT(ids(expand_refined(R"({"search": ["none", "binary"], "halvings": [3, 6]})", "")),
+                ElementsAre("refined | heightmap=rock", "refined search=binary halvings=3 | heightmap=rock",
+                            "refined search=binary | heightmap=rock"));
+    const std::vector<Cell> cells = expand_refined("{}", R"(, "search": ["none", "binary"], "halvings": [3, 5])");
+    EXPECT_THAT(ids(cells), ElementsAre("refined | heightmap=rock", "refined search=binary halvings=3 | heightmap=rock",
+                                        "refined search=binary halvings=5 | heightmap=rock"));
+    EXPECT_EQ(cells[0].parameters.at("halvings"), ParameterValue(std::int64_t{6}));
+}
+
+TEST(Expansion, AValueWithoutEffectInAnyCellIsAnError) {
+    EXPECT_THAT(error_message([] { expand_refined(R"({"halvings": 3})", ""); }),
+                HasSubstr("test.json: $.techniques[0]: 'halvings' has no effect in any cell: it needs search=binary"));
+    EXPECT_THAT(error_message([] { expand_refined("{}", R"(, "halvings": [3, 4])"); }),
+                HasSubstr("$.axes.halvings: 'halvings' has no effect in any cell: it needs search=binary"));
+}
+
 TEST(Expansion, MakesNoCellTwice) {
     EXPECT_THAT(ids(expand_text(R"({"techniques": ["plain", "plain", {"technique": "march",
         "parameters": {"max_steps": [16, 16]}}], "axes": {"heightmap": ["rock", "rock"], "view_angle": [0, 0.0]}})")),

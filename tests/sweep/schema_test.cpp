@@ -19,6 +19,7 @@ using testing::IsEmpty;
 using testing::UnorderedElementsAreArray;
 
 const fs::path configs = fs::path(RELIEFBENCH_SOURCE_DIR) / "configs";
+const fs::path shaders = fs::path(RELIEFBENCH_SOURCE_DIR) / "harness" / "shaders";
 
 Json schema() {
     return read_json_file(configs / "schema.json");
@@ -36,7 +37,7 @@ std::vector<std::string> property_names(const std::string& pointer) {
 std::vector<Manifest> shipped_techniques() {
     std::vector<Manifest> manifests;
     for (const fs::directory_entry& entry : fs::directory_iterator(configs.parent_path() / "techniques")) {
-        if (fs::exists(entry.path() / "technique.json")) manifests.push_back(load_manifest(entry.path()));
+        if (fs::exists(entry.path() / "technique.json")) manifests.push_back(load_manifest(entry.path(), shaders));
     }
     return manifests;
 }

@@ -34,7 +34,7 @@ protected:
 }  // namespace
 
 TEST_F(BrokenCopies, Order1FindsHalfAStepTooFar) {
-    expect_broken_promise(BrokenCopy("steep", "trace.glsl", "hit_on_ray(crossing.s_below,",
+    expect_broken_promise(BrokenCopy("steep", "trace.glsl", "hit_on_ray(refined.s,",
                                      "hit_on_ray(1.5 * crossing.s_below - 0.5 * crossing.s_above,"),
                           Promise::order_1);
 }
@@ -50,9 +50,9 @@ TEST_F(BrokenCopies, Order1FindsAMissingHalving) {
 }
 
 TEST_F(BrokenCopies, Order1FindsAMapShiftedByHalfATexel) {
-    expect_broken_promise(BrokenCopy("steep", "march.glsl", "tap_height(point_on_ray(ray, s))",
-                                     "tap_height(point_on_ray(ray, s) + 0.5 / vec2(height_map_size()))"),
-                          Promise::order_1);
+    expect_broken_promise(
+        BrokenCopy("steep", "march.glsl", ": tap_height(uv)", ": tap_height(uv + 0.5 / vec2(height_map_size()))"),
+        Promise::order_1);
 }
 
 TEST_F(BrokenCopies, Order2FindsHalfAStepTooFar) {
@@ -64,6 +64,24 @@ TEST_F(BrokenCopies, Order2FindsHalfAStepTooFar) {
 TEST_F(BrokenCopies, Order2FindsTheMiddleOfTheLayerInPlaceOfTheIntersection) {
     expect_broken_promise(BrokenCopy("pom", "refinement.glsl", "? above / (above + below) : 0.0", "? 0.5 : 0.0"),
                           Promise::order_2);
+}
+
+TEST_F(BrokenCopies, Order2FindsAChordCutFromTheWrongEnd) {
+    expect_broken_promise(BrokenCopy("secant", "refinement.glsl", "crossing.s_below, above / (above + below));",
+                                     "crossing.s_below, below / (above + below));"),
+                          Promise::order_2);
+}
+
+TEST_F(BrokenCopies, Order2FindsAContactThatIsNotMarchedAgain) {
+    expect_broken_promise(
+        BrokenCopy("contact_refinement", "refinement.glsl", "level < levels &&", "level < levels - 1 &&"),
+        Promise::order_2);
+}
+
+TEST_F(BrokenCopies, Order1FindsAFinerMarchThatSkipsItsFirstStep) {
+    expect_broken_promise(BrokenCopy("contact_refinement", "refinement.glsl", "for (int i = 1; i < finer_steps",
+                                     "for (int i = 2; i < finer_steps"),
+                          Promise::order_1);
 }
 
 TEST_F(BrokenCopies, FirstHitFindsNodesSkippedByTheirEntry) {
@@ -139,20 +157,20 @@ TEST_F(BrokenCopies, ConservativeFindsStepsAlongTheHeightAlone) {
 }
 
 TEST_F(BrokenCopies, TimedAndProbedMustAgree) {
-    const BrokenCopy copy("steep", "trace.glsl", "    return hit_on_ray(crossing.s_below, crossing.steps);",
+    const BrokenCopy copy("steep", "trace.glsl", "    return hit_on_ray(refined.s, refined.steps);",
                           "#ifndef RELIEFBENCH_PROBED\n"
                           "    return hit_on_ray(0.5 * (crossing.s_above + crossing.s_below), crossing.steps);\n"
                           "#endif\n"
-                          "    return hit_on_ray(crossing.s_below, crossing.steps);");
+                          "    return hit_on_ray(refined.s, refined.steps);");
     expect_failure(copy, "timed and probed agree", check_pictures);
 }
 
 TEST_F(BrokenCopies, TimedAndProbedMustCoverTheSamePixels) {
-    const BrokenCopy copy("steep", "trace.glsl", "    return hit_on_ray(crossing.s_below, crossing.steps);",
+    const BrokenCopy copy("steep", "trace.glsl", "    return hit_on_ray(refined.s, refined.steps);",
                           "#ifdef RELIEFBENCH_PROBED\n"
                           "    if (crossing.steps > 6) return miss(crossing.steps);\n"
                           "#endif\n"
-                          "    return hit_on_ray(crossing.s_below, crossing.steps);");
+                          "    return hit_on_ray(refined.s, refined.steps);");
     expect_failure(copy, "timed and probed agree", check_pictures);
 }
 

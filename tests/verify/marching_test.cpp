@@ -1,10 +1,7 @@
 #include "verify_test.hpp"
 
-#include "metrics/error_maps.hpp"
-
-#include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <optional>
 
 namespace reliefbench::test {
 
@@ -17,9 +14,9 @@ class ConstantMap : public VerifyTest {
 protected:
     ConstantMap() : scene_(device(), map_of({32, 32}, [](int, int) { return level; })) {}
 
-    /// Checks that each hit of the technique lies on u0 + offset(direction), at the height given.
-    void expect_offset(const std::string& technique, const ParameterValues& changed, double height, double tolerance,
-                       const std::function<glm::dvec2(glm::dvec3 direction)>& offset) {
+    /// Checks that each hit of the technique lies on u0 + offset(direction), at the height given where one is.
+    void expect_offset(const std::string& technique, const ParameterValues& changed, std::optional<double> height,
+                       double tolerance, const std::function<glm::dvec2(glm::dvec3 direction)>& offset) {
         for (View view : {parallel_view(60, -70), perspective_view(50, 25)}) {
             view.relief.tiling = 2;
             const Comparison found = compare(technique, changed, scene_, view);
@@ -34,7 +31,7 @@ protected:
                     const glm::dvec2 expected = entry + offset(ray.direction);
                     ASSERT_NEAR(hit.u, expected.x, tolerance) << technique << " at " << i << ", " << j;
                     ASSERT_NEAR(hit.v, expected.y, tolerance) << technique << " at " << i << ", " << j;
-                    ASSERT_NEAR(hit.h, height, tolerance) << technique << " at " << i << ", " << j;
+                    ASSERT_NEAR(hit.h, height.value_or(hit.h), tolerance) << technique << " at " << i << ", " << j;
                 }
             }
             EXPECT_GT(hits, 1000U) << technique;
@@ -95,49 +92,29 @@ TEST_F(ConstantMap, PomIsExact) {
     expect_offset("pom", fixed_steps(7), level, float_tolerance, on_ray(1 - level));
 }
 
+TEST_F(ConstantMap, SecantIsExactFromItsFirstChordOn) {
+    for (const std::int64_t chords : {1, 3}) {
+        ParameterValues parameters = fixed_steps(7);
+        parameters["secant_steps"] = chords;
+        expect_offset("secant", parameters, level, float_tolerance, on_ray(1 - level));
+    }
+}
+
+TEST_F(ConstantMap, ContactRefinementIsTheNextFinerLayerBeneath) {
+    // 9.6 layers down: of the sixteen parts of the tenth layer ten reach beneath it.
+    expect_offset("contact_refinement", fixed_steps(16), 1 - 154.0 / 256, float_tolerance, on_ray(154.0 / 256));
+}
+
+TEST_F(ConstantMap, IterativeParallaxApproachesByAPowerOfVz) {
+    const auto offset = [](glm::dvec3 direction) {
+        return on_ray((1 - level) * (1 - std::pow(1 + direction.z, 4)))(direction);
+    };
+    expect_offset("iterative_parallax", {}, std::nullopt, float_tolerance, offset);
+}
+
 TEST_F(ConstantMap, QdmIsExact) {
     expect_offset("qdm", {{"leaf", "exact"}}, level, float_tolerance, on_ray(1 - level));
     expect_offset("qdm", {{"leaf", "linear"}}, level, float_tolerance, on_ray(1 - level));
-}
-
-class Marching : public VerifyTest {};
-
-/// Luna 2012, figure 7: finite steps miss peaks; the misses show in the error, and fall as steps rise.
-TEST_F(Marching, MissedFeaturesFallAsStepsRise) {
-    const CoordinateScene spikes(device(), procedural("spikes", {128, 128}));
-    View view = parallel_view(60, -70);
-    view.relief.boundary = Boundary::repeat;
-    const double stride = texels_through_relief(view, spikes.map, 0, 0);
-    for (const std::string technique : {"steep", "relief", "pom"}) {
-        std::vector<double> missed;
-        for (const std::int64_t steps : {8, 16, 32, 64, 128}) {
-            const Comparison found = compare(technique, fixed_steps(steps), spikes, view);
-            const Image<float> errors = uv_error_map(found.probe.hits, found.truth.hits, spikes.map, view.relief);
-            // More than a step and a texel off: not imprecise, but another feature.
-            const double another_feature = stride / static_cast<double>(steps) + 1;
-            const auto count = std::ranges::count_if(errors.texels, [&](float e) { return e > another_feature; });
-            missed.push_back(static_cast<double>(count) / static_cast<double>(errors.texels.size()));
-        }
-        EXPECT_GT(missed.front(), 0.02) << technique;
-        EXPECT_LT(missed.back(), 0.25 * missed.front()) << technique;
-        for (std::size_t i = 1; i < missed.size(); ++i)
-            EXPECT_LT(missed[i], missed[i - 1]) << technique << " at " << (8 << i) << " steps";
-    }
-}
-
-/// Counts by view angle: int(mix(max, min, V.z)) layers, as published.
-TEST_F(Marching, AdaptiveCountsFollowTheViewAngle) {
-    const CoordinateScene zero(device(), map_of({16, 16}, [](int, int) { return 0.0; }));
-    for (const double angle : {0.0, 40.0, 60.0, 80.0}) {
-        View view = parallel_view(angle);
-        view.relief.boundary = Boundary::repeat;
-        const Comparison found =
-            compare("pom", {{"min_steps", std::int64_t{10}}, {"max_steps", std::int64_t{51}}}, zero, view);
-        // On the lowest map each ray takes all of its steps.
-        const double expected = std::floor(51 + (10 - 51) * std::cos(angle * std::numbers::pi / 180) + 1e-9);
-        EXPECT_EQ(found.probe.work.at(40, 40).steps, expected) << angle;
-        EXPECT_EQ(found.probe.work.at(40, 40).taps, expected + 1) << "the entry's tap counts too";
-    }
 }
 
 }  // namespace reliefbench::test

@@ -20,30 +20,6 @@ void replace_once(const fs::path& file, const std::string& passage, const std::s
     write_text_file(file, text);
 }
 
-std::string include_of(const std::string& file) {
-    return "#include \"" + file + "\"";
-}
-
-/// A copy of a file of harness/shaders in `folder`, under another name, which trace.glsl includes in its place,
-/// directly or through a copy of the shared file that does. Returns the copy's name.
-std::string copy_shared_file(const fs::path& folder, const std::string& file) {
-    const std::string copy = "broken_" + file;
-    fs::copy_file(shader_root() / file, folder / copy);
-    std::string includer = "trace.glsl";
-    if (read_text_file(folder / includer).find(include_of(file)) == std::string::npos) {
-        for (const auto& entry : fs::directory_iterator(shader_root())) {
-            const std::string shared = entry.path().filename().string();
-            const bool includes = read_text_file(entry.path()).find(include_of(file)) != std::string::npos;
-            if (includes && read_text_file(folder / includer).find(include_of(shared)) != std::string::npos) {
-                includer = copy_shared_file(folder, shared);
-                break;
-            }
-        }
-    }
-    replace_once(folder / includer, include_of(file), include_of(copy));
-    return copy;
-}
-
 }  // namespace
 
 void VerifyTest::SetUpTestSuite() {
@@ -106,11 +82,13 @@ HeightMap map_of(Resolution size, const std::function<double(int x, int y)>& hei
 
 BrokenCopy::BrokenCopy(const std::string& id, const std::string& file, const std::string& passage,
                        const std::string& replacement) {
-    const fs::path folder = root_ / id;
+    const fs::path folder = root_ / "techniques" / id;
+    const fs::path shaders = root_ / "shaders";
+    fs::create_directories(folder);
     fs::copy(default_technique_root() / id, folder, fs::copy_options::recursive);
-    const std::string broken_file = fs::exists(folder / file) ? file : copy_shared_file(folder, file);
-    replace_once(folder / broken_file, passage, replacement);
-    technique_ = find_techniques({root_.path()}).get(id);
+    fs::copy(shader_root(), shaders);
+    replace_once((fs::exists(folder / file) ? folder : shaders) / file, passage, replacement);
+    technique_ = find_techniques({folder.parent_path()}, shaders).get(id);
 }
 
 std::vector<Check> checks_until_failure(const gpu::Device& device, const Technique& technique,

@@ -45,7 +45,7 @@ HeightMap procedural(const std::string& name, Resolution size);
 HeightMap map_of(Resolution size, const std::function<double(int x, int y)>& height);
 
 /// A copy of a shipped technique, in a folder of its own that lives as long as the object, with one passage of a shader
-/// replaced. The passage may also stand in a file of harness/shaders that the technique includes.
+/// replaced. The passage may also stand in a file of harness/shaders.
 class BrokenCopy {
 public:
     BrokenCopy(const std::string& id, const std::string& file, const std::string& passage,

@@ -1,0 +1,32 @@
+#ifndef RELIEFBENCH_LOD_FADE_GLSL
+#define RELIEFBENCH_LOD_FADE_GLSL
+
+// Level of detail of per-pixel techniques: relief that fades to normal mapping, after Tatarchuk's sample in the DirectX
+// SDK (threshold: mip level 3; faded over the level below it).
+
+#include "relief.glsl"
+
+Trace trace(ReliefRay ray);
+
+// 0: all of the relief; 1: none of it. `distance` is the eye's from the ray's entry.
+float lod_fade_at(ReliefRay ray, float distance) {
+    if (lod_fade == lod_fade_off) return 0.0;
+    float level = lod_fade == lod_fade_mip ? ray.level : distance;
+    if (level >= lod_fade_end) return 1.0;
+    return clamp(1.0 - (lod_fade_end - level) / lod_fade_width, 0.0, 1.0);
+}
+
+// The technique's answer, drawn towards the polygon along the ray. Where nothing is left of the relief it is not
+// searched for.
+Trace trace_with_lod(ReliefRay ray, float distance) {
+    float fade = lod_fade_at(ray, distance);
+    if (fade >= 1.0) return hit_on_ray(0.0, 0);
+    Trace found = trace(ray);
+    found.s *= 1.0 - fade;
+    found.uv = mix(found.uv, ray.uv, fade);
+    found.h = mix(found.h, 1.0, fade);
+    found.light_visibility = mix(found.light_visibility, 1.0, fade);
+    return found;
+}
+
+#endif
