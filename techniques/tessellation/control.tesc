@@ -19,9 +19,7 @@ float side_factor(vec2 a, vec2 b) {
     return clamp(wanted, float(min_factor), float(max(factor, min_factor)));
 }
 
-void main() {
-    pass_corner();
-    if (gl_InvocationID != 0) return;
+void set_factors() {
     if (cull && !may_be_seen(texel_centre_shift())) {
         drop_patch();
         return;
@@ -33,5 +31,11 @@ void main() {
     set_side_factors(vec4(side_factor(vertex_corner[0], vertex_corner[2]), side_factor(vertex_corner[0], vertex_corner[1]),
                           side_factor(vertex_corner[1], vertex_corner[3]), side_factor(vertex_corner[2], vertex_corner[3])));
 #endif
+}
+
+void main() {
+    pass_corner();
+    if (gl_InvocationID != 0) return;
+    set_factors();
     count_stage();
 }

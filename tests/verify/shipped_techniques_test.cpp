@@ -26,13 +26,6 @@ std::set<PromiseText> promises_of(const Manifest& manifest) {
     return promises;
 }
 
-std::vector<std::string> technique_ids() {
-    std::vector<std::string> ids;
-    for (const Technique& technique : find_techniques({default_technique_root()}).techniques)
-        ids.push_back(technique.manifest.id);
-    return ids;
-}
-
 class ShippedTechnique : public VerifyTest, public testing::WithParamInterface<std::string> {};
 
 }  // namespace
@@ -82,7 +75,7 @@ TEST_P(ShippedTechnique, KeepsItsPromises) {
         EXPECT_TRUE(seen.contains(to_string(declaration.promise))) << to_string(declaration.promise);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedTechnique, testing::ValuesIn(technique_ids()),
+INSTANTIATE_TEST_SUITE_P(All, ShippedTechnique, testing::ValuesIn(shipped_ids()),
                          [](const auto& instance) { return instance.param; });
 
 }  // namespace reliefbench::test

@@ -48,6 +48,13 @@ Technique shipped(const std::string& id) {
     return find_techniques({default_technique_root()}).get(id);
 }
 
+std::vector<std::string> shipped_ids() {
+    std::vector<std::string> ids;
+    for (const Technique& technique : find_techniques({default_technique_root()}).techniques)
+        ids.push_back(technique.manifest.id);
+    return ids;
+}
+
 View parallel_view(double angle, double azimuth) {
     View view;
     view.camera.projection = Projection::parallel;

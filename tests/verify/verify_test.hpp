@@ -37,6 +37,9 @@ private:
 /// A technique of this repository.
 Technique shipped(const std::string& id);
 
+/// Of all techniques of this repository.
+std::vector<std::string> shipped_ids();
+
 View parallel_view(double angle, double azimuth = -90);
 View perspective_view(double angle, double azimuth = -90);
 

@@ -83,13 +83,6 @@ protected:
     }
 };
 
-std::vector<std::string> shipped_ids() {
-    std::vector<std::string> ids;
-    for (const Technique& technique : find_techniques({default_technique_root()}).techniques)
-        ids.push_back(technique.manifest.id);
-    return ids;
-}
-
 }  // namespace
 
 /// Seen three times on a side, a small map that is neither square nor a power of two looks as the same content on a map
