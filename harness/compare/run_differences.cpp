@@ -33,6 +33,16 @@ std::string text_of(const Json& value) {
 }
 
 /// "<what> <name> changed from <base> to <new>" for each member of two objects that differs.
+/// Of `object` what `other` has too.
+Json shared_members(const Json& object, const Json& other) {
+    Json shared = Json::object();
+    if (!object.is_object() || !other.is_object()) return shared;
+    for (const auto& [name, value] : object.items()) {
+        if (other.contains(name)) shared[name] = value;
+    }
+    return shared;
+}
+
 void append_member_differences(std::vector<std::string>& differences, const std::string& what, const Json& base,
                                const Json& changed) {
     std::vector<std::string> names;
@@ -177,7 +187,9 @@ std::string subject_difference(const StoredRun& base, const CellResult& base_cel
                                const CellResult& changed_cell) {
     std::vector<std::string> differences;
     append_member_differences(differences, "the parameter", base_cell.parameters, changed_cell.parameters);
-    append_member_differences(differences, "the axis", base_cell.axes, changed_cell.axes);
+    // An axis that one side lacks is younger than that run, and at its default in the other: their ids are the same.
+    append_member_differences(differences, "the axis", shared_members(base_cell.axes, changed_cell.axes),
+                              shared_members(changed_cell.axes, base_cell.axes));
     const Json map_before = height_map_of(base, base_cell);
     const Json map_after = height_map_of(changed, changed_cell);
     if (map_before.is_object() && map_after.is_object()) {

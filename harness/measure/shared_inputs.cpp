@@ -28,6 +28,14 @@ HeightMapRecord inspect(const ViewKey& key) {
     return record;
 }
 
+/// What the truth of a view does not depend on, at its default: views that differ in it alone share one truth.
+ViewKey truth_key(ViewKey key) {
+    SelfShadow self_shadow;
+    self_shadow.mode = key.view.self_shadow.mode;
+    key.view.self_shadow = self_shadow;
+    return key;
+}
+
 }  // namespace
 
 std::vector<HeightMapRecord> inspect_height_maps(const std::vector<Cell>& cells) {
@@ -66,10 +74,11 @@ const LoadedMap& SharedInputs::map(const ViewKey& key) {
     return maps_.back().loaded;
 }
 
-const Truth& SharedInputs::truth(const ViewKey& key) {
+const Truth& SharedInputs::truth(const ViewKey& view) {
+    const ViewKey key = truth_key(view);
     if (!truth_ || truth_->key != key) {
         truth_.reset();
-        truth_.emplace(KeyedTruth{key, truth_from(key, key.view.camera)});
+        truth_.emplace(KeyedTruth{key, trace(key, key.view)});
     }
     return truth_->truth;
 }
@@ -77,13 +86,19 @@ const Truth& SharedInputs::truth(const ViewKey& key) {
 Truth SharedInputs::truth_from(const ViewKey& key, const Camera& camera) {
     View view = key.view;
     view.camera = camera;
+    view.self_shadow = SelfShadow{};
+    return trace(key, view);
+}
+
+Truth SharedInputs::trace(const ViewKey& key, const View& view) {
     Truth traced = trace_truth(map(key), view, lighting_, settings_);
     truth_seconds_ += traced.trace_ms / 1000.0;
     return traced;
 }
 
 void SharedInputs::keep_only(const std::vector<ViewKey>& views) {
-    if (truth_ && std::find(views.begin(), views.end(), truth_->key) == views.end()) {
+    if (truth_ &&
+        std::none_of(views.begin(), views.end(), [&](const ViewKey& view) { return truth_key(view) == truth_->key; })) {
         truth_.reset();
     }
     maps_.remove_if([&](const KeyedMap& keyed) {

@@ -46,8 +46,8 @@ public:
 
     const LoadedMap& map(const ViewKey& key);
     /// Valid until the truth of another view is asked for.
-    const Truth& truth(const ViewKey& key);
-    /// The same view's from another camera, which is not kept.
+    const Truth& truth(const ViewKey& view);
+    /// The same view's from another camera, which is not kept, without shadows.
     Truth truth_from(const ViewKey& key, const Camera& camera);
     /// Frees what none of these views needs.
     void keep_only(const std::vector<ViewKey>& views);
@@ -65,6 +65,8 @@ private:
         ViewKey key;
         Truth truth;
     };
+
+    Truth trace(const ViewKey& key, const View& view);
 
     const gpu::Device* device_;
     Lighting lighting_;

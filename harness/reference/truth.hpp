@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reference/light_visibility.hpp"
 #include "scene/albedo.hpp"
 #include "scene/height_map.hpp"
 #include "scene/hit.hpp"
@@ -19,6 +20,7 @@ struct Truth {
     Image<std::uint8_t> footprint;
     /// Linear RGB, shaded truth; the background colour where there is no hit.
     Image<std::array<float, 3>> colour;
+    LightVisibility light_visibility;
     /// Wall time of tracing and shading.
     double trace_ms = 0;
 };
@@ -28,7 +30,11 @@ Truth trace_exact_truth(const HeightMap& map, const Albedo& albedo, const View& 
 Truth trace_mesh_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting,
                        int subdivision);
 
-/// Linear RGB of a hit image, shaded as the truth is.
+/// Linear RGB of a hit image, shaded as the truth is; `visibility` of each light at each hit.
+Image<std::array<float, 3>> shade_hits(const HitImage& hits, const Image<std::array<float, 3>>& visibility,
+                                       const HeightMap& map, const Albedo& albedo, const View& view,
+                                       const Lighting& lighting);
+/// The same without shadows.
 Image<std::array<float, 3>> shade_hits(const HitImage& hits, const HeightMap& map, const Albedo& albedo,
                                        const View& view, const Lighting& lighting);
 

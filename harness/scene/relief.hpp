@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/camera.hpp"
+#include "scene/self_shadow.hpp"
 
 #include <glm/vec2.hpp>
 
@@ -35,6 +36,7 @@ struct View {
     Camera camera;
     Relief relief;
     Resolution resolution{256, 256};
+    SelfShadow self_shadow = {};
 
     bool operator==(const View&) const = default;
 };

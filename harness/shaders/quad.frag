@@ -1,9 +1,10 @@
-// A per-pixel technique: its trace() from the ray of this pixel, then the boundary, the depth and the colour.
+// A per-pixel technique: its trace() from the ray of this pixel, then the boundary, the depth, the shadows and the colour.
 
 #include "relief.glsl"
 #include "scene.glsl"
 #include "surface.glsl"
 #include "trace.glsl"
+#include "self_shadow.glsl"
 #include "work.glsl"
 
 void main() {
@@ -28,5 +29,7 @@ void main() {
 
     vec4 clip = scene.clip_from_world * vec4(surface_point(hit.xy, hit.z), 1.0);
     gl_FragDepth = clip.z / clip.w;
-    write_surface(hit, view.direction, found.flat_normal, found.light_visibility);
+    // The polygon has no shadows.
+    vec3 visibility = found.flat_normal ? vec3(1.0) : light_visibility(hit.xy);
+    write_surface(hit, view.direction, found.flat_normal, visibility);
 }

@@ -31,6 +31,7 @@ constexpr double largest_length = 1e6;
 constexpr int most_frames = 1000;
 constexpr double longest_step_degrees = 10;
 constexpr double longest_arc_degrees = 60;
+constexpr double largest_angular_radius = 45;
 
 glm::dvec3 read_vector(const JsonView& view, double minimum, double maximum) {
     const std::vector<JsonView> items = view.items();
@@ -54,6 +55,7 @@ DirectionalLight read_light(const JsonView& view) {
         if (light.direction == glm::dvec3(0)) view.at("direction").fail_expected("a direction that is not zero");
     }
     if (view.has("colour")) light.colour = read_colour(view.at("colour"));
+    if (view.has("angular_radius")) light.angular_radius = view.at("angular_radius").number(0, largest_angular_radius);
     return light;
 }
 
@@ -91,7 +93,7 @@ const std::vector<std::string>& lighting() {
 }
 
 const std::vector<std::string>& light() {
-    static const std::vector<std::string> keys{"direction", "colour"};
+    static const std::vector<std::string> keys{"direction", "colour", "angular_radius"};
     return keys;
 }
 
@@ -211,7 +213,10 @@ Json to_json(const Lighting& lighting) {
     Json json = Json::object();
     json["lights"] = Json::array();
     for (const DirectionalLight& light : lighting.lights) {
-        json["lights"].push_back({{"direction", to_json(light.direction)}, {"colour", to_json(light.colour)}});
+        Json each{{"direction", to_json(light.direction)}, {"colour", to_json(light.colour)}};
+        // Runs made before lights had one are under the same lighting as those with the default.
+        if (light.angular_radius != DirectionalLight{}.angular_radius) each["angular_radius"] = light.angular_radius;
+        json["lights"].push_back(std::move(each));
     }
     json["ambient"] = to_json(lighting.ambient);
     json["specular"] = to_json(lighting.specular);

@@ -26,7 +26,7 @@ std::uint32_t vertices_per_draw(const gpu::Device& device, const DrawSetup& setu
 std::vector<vk::Format> target_formats(Draw::Kind kind) {
     switch (kind) {
         case Draw::Kind::probed:
-            return {vk::Format::eR32G32B32A32Sfloat, vk::Format::eR32G32B32A32Sfloat};
+            return {vk::Format::eR32G32B32A32Sfloat, vk::Format::eR32G32B32A32Sfloat, vk::Format::eR32G32B32A32Sfloat};
         case Draw::Kind::timed_display:
             return {vk::Format::eR8G8B8A8Unorm};
         case Draw::Kind::timed_float:
@@ -76,6 +76,7 @@ Draw::Draw(const gpu::Device& device, const Technique& technique, Kind kind, con
     const gpu::GraphicsPipelineOptions options = pipeline_options(device, technique, kind, setup);
     if (kind == Kind::probed) {
         clears_.push_back({.float32 = std::array<float, 4>{0, 0, 0, -1}});
+        clears_.push_back({.float32 = std::array<float, 4>{1, 1, 1, 0}});
         const std::size_t pixels = std::size_t{extent_.width} * extent_.height;
         work_.emplace(device, (1 + pixels) * work_values * sizeof(std::uint32_t),
                       vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst, true);

@@ -3,6 +3,7 @@
 // Internal to this layer: includes Vulkan.
 
 #include "gpu/pipeline.hpp"
+#include "scene/self_shadow.hpp"
 #include "technique/technique.hpp"
 
 #include <vector>
@@ -27,6 +28,11 @@ namespace constant {
 inline constexpr std::uint32_t srgb_target = 0;
 inline constexpr std::uint32_t lighting_enabled = 1;
 inline constexpr std::uint32_t relief_repeats = 2;
+inline constexpr std::uint32_t self_shadow = 6;
+inline constexpr std::uint32_t self_shadow_bias = 7;
+inline constexpr std::uint32_t self_shadow_min_steps = 8;
+inline constexpr std::uint32_t self_shadow_max_steps = 9;
+inline constexpr std::uint32_t self_shadow_softening = 10;
 inline constexpr std::uint32_t first_parameter = 16;
 }  // namespace constant
 
@@ -48,6 +54,9 @@ gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& tech
 
 /// A parameter's value as the 32 bits of its specialization constant.
 gpu::SpecializationValues parameter_constants(const Manifest& manifest, const ParameterValues& values);
+
+/// The specialization constants of harness/shaders/self_shadow.glsl.
+gpu::SpecializationValues self_shadow_constants(const SelfShadow& self_shadow);
 
 /// Maps that a pass may read: those finished by earlier passes. Indices into manifest.maps.
 std::vector<std::size_t> maps_before(const Manifest& manifest, const PassDeclaration& pass);

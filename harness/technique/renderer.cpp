@@ -132,6 +132,7 @@ DrawSetup Renderer::State::make_setup(const View& from, const gpu::Buffer& value
     result.constants = parameter_constants(technique.manifest, parameters);
     result.constants[constant::lighting_enabled] = lighting.enabled ? 1 : 0;
     result.constants[constant::relief_repeats] = from.relief.boundary == Boundary::repeat ? 1 : 0;
+    result.constants.merge(self_shadow_constants(from.self_shadow));
     result.bindings = scene.textures().all_bindings();
     result.bindings.push_back(gpu::uniform_buffer(binding::scene, values.buffer));
     for (const gpu::Binding& map : maps.draw_bindings())
@@ -165,15 +166,21 @@ Probe Renderer::State::probe(const DrawSetup& from) const {
 
     const Resolution size = view.resolution;
     const auto colours = to_image<std::array<float, 4>>(size, draw.read_target(0));
+    const auto shadows = to_image<std::array<float, 4>>(size, draw.read_target(2));
     const std::vector<std::uint32_t> work = draw.read_work();
     Probe probe{.hits = to_image<Hit>(size, draw.read_target(1)),
                 .colour = Image<std::array<float, 3>>(size),
                 .covered = Image<std::uint8_t>(size),
                 .work = Image<PixelWork>(size),
+                .light_visibility = Image<std::array<float, 3>>(size),
+                .shadow_taps = Image<std::uint32_t>(size),
                 .stages = to_work(work.data())};
     for (std::size_t i = 0; i < size.pixels(); ++i) {
         const std::array<float, 4>& colour = colours.texels[i];
         probe.colour.texels[i] = {colour[0], colour[1], colour[2]};
+        const std::array<float, 4>& shadow = shadows.texels[i];
+        probe.light_visibility.texels[i] = {shadow[0], shadow[1], shadow[2]};
+        probe.shadow_taps.texels[i] = static_cast<std::uint32_t>(shadow[3]);
         const std::uint32_t* const values = &work[(1 + i) * work_values];
         probe.work.texels[i] = to_work(values);
         probe.covered.texels[i] = static_cast<std::uint8_t>((values[3] & covered_bit) != 0);

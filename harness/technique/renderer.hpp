@@ -52,6 +52,10 @@ struct Probe {
     /// Pixels that ran a fragment of the technique (with misses, which are not in `hits`).
     Image<std::uint8_t> covered;
     Image<PixelWork> work;
+    /// How much of each light reaches the hit, in the lights' order; 1 without shadows and without a hit.
+    Image<std::array<float, 3>> light_visibility;
+    /// Taps of the shadows of each pixel, which are not in `work`.
+    Image<std::uint32_t> shadow_taps;
     /// Taps and texels of vertex and tessellation stages, summed over the draw.
     PixelWork stages;
 };

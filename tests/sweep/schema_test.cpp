@@ -80,6 +80,7 @@ TEST(Schema, StatesTheDefaultsOfTheParser) {
         EXPECT_EQ(stated("/$defs/motion/properties/" + key), value) << key;
     }
     EXPECT_EQ(stated("/$defs/lighting/properties/shininess"), expanded["lighting"]["shininess"]);
+    EXPECT_EQ(stated("/$defs/light/properties/angular_radius"), DirectionalLight{}.angular_radius);
     EXPECT_THAT(schema_complaints(root, root, expanded), IsEmpty());
 }
 
@@ -116,6 +117,18 @@ TEST(Schema, AgreesWithTheParserAboutValues) {
         {"/axes/projection", "\"orthographic\"", false},
         {"/axes/boundary", "[\"clip\", \"repeat\"]", true},
         {"/axes/boundary", "true", false},
+        {"/axes/self_shadow", "[\"off\", \"hard\", \"soft\"]", true},
+        {"/axes/self_shadow", "true", false},
+        {"/axes/soft_shadow", "[\"dykhta\", \"tatarchuk\"]", true},
+        {"/axes/soft_shadow", "\"pcf\"", false},
+        {"/axes/hard_shadow_bias", "[0, 1]", true},
+        {"/axes/hard_shadow_bias", "-0.1", false},
+        {"/axes/dykhta_bias", "1.5", false},
+        {"/axes/shadow_min_steps", "[1, 65536]", true},
+        {"/axes/shadow_min_steps", "0", false},
+        {"/axes/shadow_max_steps", "2.5", false},
+        {"/axes/shadow_softening", "0.58", true},
+        {"/axes/shadow_softening", "-1", false},
         {"/axes/sample_count", "[1, 256]", true},
         {"/axes/sample_count", "0", false},
         {"/axes/max_steps", "[1, 2]", true},
@@ -146,6 +159,8 @@ TEST(Schema, AgreesWithTheParserAboutValues) {
         {"/motion", "true", false},
         {"/lighting", R"({"lights": [], "fog": {"start": 0, "range": 0.5}, "ambient": [0, 0, 0]})", true},
         {"/lighting", R"({"lights": [{}, {}, {}, {}]})", false},
+        {"/lighting", R"({"lights": [{"angular_radius": 45}, {"angular_radius": 0}]})", true},
+        {"/lighting", R"({"lights": [{"angular_radius": 46}]})", false},
         {"/lighting", R"({"background": [0, 0]})", false},
         {"/lighting", R"({"fog": {"range": 0}})", false},
     };
