@@ -120,6 +120,7 @@ void compare_errors(Changes& changes, const std::optional<CellResult::Errors>& b
     field("error.outside_quad.pixels", &Errors::outside_quad_pixels, Better::neither);
     field("error.outside_quad.covered", &Errors::outside_quad_covered, Better::higher);
     field("error.coverage_iou", &Errors::coverage_iou, Better::higher);
+    field("error.wrong_surface", &Errors::wrong_surface, Better::lower);
     compare_shadows(changes, base ? base->shadow : std::nullopt, changed ? changed->shadow : std::nullopt);
 }
 

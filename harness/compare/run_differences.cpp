@@ -108,7 +108,8 @@ bool same_truth(const StoredRun& base, const StoredRun& changed) {
 }
 
 bool same_lighting(const StoredRun& base, const StoredRun& changed) {
-    return value_at(base, {"configuration", "lighting"}) == value_at(changed, {"configuration", "lighting"});
+    return value_at(base, {"configuration", "lighting"}) == value_at(changed, {"configuration", "lighting"}) &&
+           value_at(base, {"configuration", "object"}) == value_at(changed, {"configuration", "object"});
 }
 
 bool same_motion(const StoredRun& base, const StoredRun& changed) {
@@ -170,7 +171,8 @@ std::vector<std::string> run_differences(const StoredRun& base, const StoredRun&
                                   value_at(changed, {"configuration", "truth"}));
         differences.push_back("the truths differ, so errors and pictures are not compared");
     } else if (!same_lighting(base, changed)) {
-        differences.push_back("the lighting differs, so pictures are not compared");
+        differences.push_back(
+            "the lighting or the object differs, so pictures, shadows and what is in front are not compared");
     }
     if (!same_motion(base, changed)) {
         append_member_differences(differences, "motion:", value_at(base, {"configuration", "motion"}),

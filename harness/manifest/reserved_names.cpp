@@ -39,7 +39,7 @@ const std::vector<std::string> contract = words(
 const std::vector<std::string> axes = words(
     "heightmap heightmap_size height_format view_angle azimuth projection distance fov height_scale tiling "
     "boundary resolution sample_count self_shadow soft_shadow hard_shadow_bias dykhta_bias shadow_min_steps "
-    "shadow_max_steps shadow_softening");
+    "shadow_max_steps shadow_softening depth_write");
 
 const std::vector<std::string> type_stems = words("vec ivec uvec bvec dvec fvec hvec mat dmat");
 

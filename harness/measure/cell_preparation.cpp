@@ -4,6 +4,7 @@
 #include "metrics/hit_errors.hpp"
 #include "metrics/image_errors.hpp"
 #include "metrics/shadow_errors.hpp"
+#include "metrics/wrong_surface.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -42,7 +43,8 @@ PreparedCell prepare_cell(const gpu::Device& device, const Technique& technique,
                           const Configuration& configuration) {
     const LoadedMap& loaded = inputs.map(cell.view);
     const View& view = cell.view.view;
-    Renderer renderer(device, technique, cell.parameters, loaded.scene, view, configuration.lighting);
+    Renderer renderer(device, technique, cell.parameters, loaded.scene, view, configuration.lighting,
+                      configuration.object);
     Preparation preparation = time_preparation(renderer, configuration.sampling);
     Probe probe = renderer.probe();
 
@@ -69,6 +71,7 @@ PreparedCell prepare_cell(const gpu::Device& device, const Technique& technique,
                             truth.footprint, loaded.map, view.relief, configuration.lighting);
         result.error->shadow = to_shadow_errors(shadow, truth.light_visibility);
     }
+    if (truth.front) result.error->wrong_surface = wrong_surface(*probe.front, *truth.front, truth.footprint);
     result.image = to_image_fields(compare_images(probe.colour, probe.hits, truth.colour, truth.hits));
     return {std::move(renderer), std::move(result), std::move(preparation), std::move(probe)};
 }

@@ -33,6 +33,7 @@ ViewKey truth_key(ViewKey key) {
     SelfShadow self_shadow;
     self_shadow.mode = key.view.self_shadow.mode;
     key.view.self_shadow = self_shadow;
+    key.view.depth_write = DepthWrite::on;
     return key;
 }
 
@@ -54,15 +55,18 @@ std::vector<HeightMapRecord> inspect_height_maps(const std::vector<Cell>& cells)
 LoadedMap::LoadedMap(const gpu::Device& device, const HeightMapSource& source, HeightFormat format)
     : map(load_height_map(source, format)), albedo(load_albedo(source, map)), scene(device, map, albedo) {}
 
-Truth trace_truth(const LoadedMap& loaded, const View& view, const Lighting& lighting, const TruthSettings& settings) {
-    if (settings.kind == TruthSettings::Kind::mesh) {
-        return trace_mesh_truth(loaded.map, loaded.albedo, view, lighting, settings.subdivision);
-    }
-    return trace_exact_truth(loaded.map, loaded.albedo, view, lighting);
+Truth trace_truth(const LoadedMap& loaded, const View& view, const Lighting& lighting, const TruthSettings& settings,
+                  const std::optional<SceneObject>& object) {
+    Truth truth = settings.kind == TruthSettings::Kind::mesh
+                      ? trace_mesh_truth(loaded.map, loaded.albedo, view, lighting, settings.subdivision)
+                      : trace_exact_truth(loaded.map, loaded.albedo, view, lighting);
+    if (object) show_object(truth, *object, view, lighting);
+    return truth;
 }
 
-SharedInputs::SharedInputs(const gpu::Device& device, const Lighting& lighting, const TruthSettings& settings)
-    : device_(&device), lighting_(lighting), settings_(settings) {}
+SharedInputs::SharedInputs(const gpu::Device& device, const Lighting& lighting, const TruthSettings& settings,
+                           const std::optional<SceneObject>& object)
+    : device_(&device), lighting_(lighting), settings_(settings), object_(object) {}
 
 const LoadedMap& SharedInputs::map(const ViewKey& key) {
     for (const KeyedMap& keyed : maps_) {
@@ -91,7 +95,7 @@ Truth SharedInputs::truth_from(const ViewKey& key, const Camera& camera) {
 }
 
 Truth SharedInputs::trace(const ViewKey& key, const View& view) {
-    Truth traced = trace_truth(map(key), view, lighting_, settings_);
+    Truth traced = trace_truth(map(key), view, lighting_, settings_, object_);
     truth_seconds_ += traced.trace_ms / 1000.0;
     return traced;
 }

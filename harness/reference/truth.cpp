@@ -75,6 +75,23 @@ Truth trace_mesh_truth(const HeightMap& map, const Albedo& albedo, const View& v
     return truth;
 }
 
+void show_object(Truth& truth, const SceneObject& object, const View& view, const Lighting& lighting) {
+    truth.front = Image<Front>(view.resolution, Front::nothing);
+    const PixelRays rays(view.camera, view.resolution);
+    for_each_pixel(view.resolution, [&](int i, int j) {
+        const Ray ray = rays.at(i, j);
+        const Hit& hit = truth.hits.at(i, j);
+        Front& front = truth.front->at(i, j);
+        front = hit.is_hit() ? Front::relief : Front::nothing;
+        const std::optional<ObjectHit> met = intersect(object, ray, view.camera.projection);
+        if (!met || (hit.is_hit() && met->t >= hit.t)) return;
+        front = Front::object;
+        const glm::dvec3 linear = shade(lighting, object.colour, met->normal, -ray.direction, met->t);
+        truth.colour.at(i, j) = {static_cast<float>(linear.r), static_cast<float>(linear.g),
+                                 static_cast<float>(linear.b)};
+    });
+}
+
 Image<std::array<float, 3>> shade_hits(const HitImage& hits, const Image<std::array<float, 3>>& visibility,
                                        const HeightMap& map, const Albedo& albedo, const View& view,
                                        const Lighting& lighting) {

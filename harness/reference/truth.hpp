@@ -6,9 +6,11 @@
 #include "scene/hit.hpp"
 #include "scene/lighting.hpp"
 #include "scene/relief.hpp"
+#include "scene/scene_object.hpp"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace reliefbench {
 
@@ -21,6 +23,8 @@ struct Truth {
     /// Linear RGB, shaded truth; the background colour where there is no hit.
     Image<std::array<float, 3>> colour;
     LightVisibility light_visibility;
+    /// What is in front; `hits` are the relief's, whatever covers them. Empty without an object.
+    std::optional<Image<Front>> front;
     /// Wall time of tracing and shading.
     double trace_ms = 0;
 };
@@ -29,6 +33,9 @@ struct Truth {
 Truth trace_exact_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting);
 Truth trace_mesh_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting,
                        int subdivision);
+
+/// Puts the object into a truth's picture where it is in front of the relief. It neither casts nor receives shadows.
+void show_object(Truth& truth, const SceneObject& object, const View& view, const Lighting& lighting);
 
 /// Linear RGB of a hit image, shaded as the truth is; `visibility` of each light at each hit.
 Image<std::array<float, 3>> shade_hits(const HitImage& hits, const Image<std::array<float, 3>>& visibility,

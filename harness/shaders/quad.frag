@@ -7,6 +7,10 @@
 #include "self_shadow.glsl"
 #include "work.glsl"
 
+#ifdef RELIEFBENCH_CONSERVATIVE_DEPTH
+layout(depth_greater) out float gl_FragDepth;
+#endif
+
 void main() {
     ViewRay view = view_ray(gl_FragCoord.xy);
     float t_per_s = scene.height_scale / -view.direction.z;
@@ -27,8 +31,15 @@ void main() {
     }
     if (!relief_repeats && !inside_patch(hit.xy)) discard;
 
+#ifdef RELIEFBENCH_WRITE_DEPTH
     vec4 clip = scene.clip_from_world * vec4(surface_point(hit.xy, hit.z), 1.0);
-    gl_FragDepth = clip.z / clip.w;
+    float depth = clip.z / clip.w;
+#ifdef RELIEFBENCH_CONSERVATIVE_DEPTH
+    // The relief lies beneath its polygon; but rounding, and an answer beside the ray, may come out nearer.
+    depth = max(depth, gl_FragCoord.z);
+#endif
+    gl_FragDepth = depth;
+#endif
     // The polygon has no shadows.
     vec3 visibility = found.flat_normal ? vec3(1.0) : light_visibility(hit.xy);
     write_surface(hit, view.direction, found.flat_normal, visibility);

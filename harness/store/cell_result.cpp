@@ -88,6 +88,7 @@ Json to_json(const CellResult::Errors& errors) {
     json["outside_quad"]["pixels"] = errors.outside_quad_pixels;
     json["outside_quad"]["covered"] = number(errors.outside_quad_covered);
     json["coverage_iou"] = number(errors.coverage_iou);
+    json["wrong_surface"] = number(errors.wrong_surface);
     json["shadow"] = errors.shadow ? to_json(*errors.shadow) : Json(nullptr);
     return json;
 }
@@ -199,7 +200,7 @@ CellResult::ShadowErrors read_shadow_errors(const JsonView& view) {
 
 CellResult::Errors read_errors(const JsonView& view) {
     view.require_only({"uv_texels", "depth", "normal_deg", "compared", "missed", "false_hits", "outside_quad",
-                       "coverage_iou", "shadow"});
+                       "coverage_iou", "shadow", "wrong_surface"});
     const JsonView outside_quad = view.at("outside_quad");
     outside_quad.require_only({"pixels", "covered"});
     CellResult::Errors errors;
@@ -212,7 +213,8 @@ CellResult::Errors read_errors(const JsonView& view) {
     errors.outside_quad_pixels = count(outside_quad.at("pixels"));
     errors.outside_quad_covered = optional_number(outside_quad.at("covered"));
     errors.coverage_iou = view.at("coverage_iou").number();
-    // Runs before there were shadows have none.
+    // Runs before there were shadows and objects have neither.
+    if (view.has("wrong_surface")) errors.wrong_surface = optional_number(view.at("wrong_surface"));
     if (view.has("shadow")) errors.shadow = optional(view.at("shadow"), read_shadow_errors);
     return errors;
 }

@@ -98,6 +98,8 @@ struct CellResult {
         double coverage_iou = 0;
         /// Empty without self-shadowing.
         std::optional<ShadowErrors> shadow = {};
+        /// Fraction of F in which the wrong one of relief and object is in front. Empty without an object.
+        std::optional<double> wrong_surface = {};
     };
     std::optional<Errors> error;
 

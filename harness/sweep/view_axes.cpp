@@ -211,6 +211,8 @@ std::vector<ViewAxis> make_view_axes() {
         "boundary", {"clip", "repeat"}, [](auto& key) -> auto& { return key.view.relief.boundary; }));
     axes.push_back(resolution_axis());
     append_self_shadow_axes(axes);
+    axes.push_back(word_axis<DepthWrite>(
+        "depth_write", {"on", "off", "conservative"}, [](auto& key) -> auto& { return key.view.depth_write; }));
     return axes;
 }
 

@@ -138,16 +138,20 @@ bool indexes_scene(const gpu::Device& device) {
 }
 
 std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Technique& technique,
-                                             const ParameterValues& parameters, Variant variant) {
+                                             const ParameterValues& parameters, Variant variant,
+                                             DepthWrite depth_write) {
     const Manifest& manifest = technique.manifest;
     const bool probed = variant == Variant::probed;
     std::string preamble = probed ? "#define RELIEFBENCH_PROBED 1\n" : "";
     if (indexes_scene(device)) preamble += "#define RELIEFBENCH_INDEXED_SCENE 1\n";
     if (marches(manifest.kind)) preamble += "#define RELIEFBENCH_OWN_MARCH 1\n";
+    if (depth_write != DepthWrite::off) preamble += "#define RELIEFBENCH_WRITE_DEPTH 1\n";
+    if (depth_write == DepthWrite::conservative) preamble += "#define RELIEFBENCH_CONSERVATIVE_DEPTH 1\n";
     preamble += declare_parameters(manifest, parameters);
     for (std::size_t i = 0; i < manifest.maps.size(); ++i)
         preamble += declare_map(manifest.maps[i], i);
-    std::string key = (probed ? "probed" : "timed") + compile_time_key(manifest, parameters);
+    std::string key = fmt::format("{} {}{}", probed ? "probed" : "timed", static_cast<int>(depth_write),
+                                  compile_time_key(manifest, parameters));
     if (manifest.shape.kind == Shape::Kind::patches) {
         const std::string corners =
             fmt::format("const int patch_corners = {};\n", manifest.shape.patch_corners(parameters));

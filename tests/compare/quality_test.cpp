@@ -21,6 +21,7 @@ CellResult result() {
     errors.outside_quad_covered = 0.5;
     errors.coverage_iou = 0.98;
     errors.shadow = CellResult::ShadowErrors{0.02, 0.01, 0.015, 64000, 0.001};
+    errors.wrong_surface = 0.003;
     result.error = errors;
     result.image = {0.1, 30, 0.9, 0.03};
     result.motion = CellResult::Motion{CellResult::MotionFigure{0.5, 2, 8}, CellResult::MotionFigure{0.1, 0.2, 0.3},
@@ -74,6 +75,7 @@ TEST(Quality, EachFieldHasItsDirection) {
     expect_one([](CellResult& r) { r.error->outside_quad_covered = 0.6; }, "error.outside_quad.covered", better);
     expect_one([](CellResult& r) { r.error->compared = 64000; }, "error.compared", same);
     expect_one([](CellResult& r) { r.error->outside_quad_pixels = 13; }, "error.outside_quad.pixels", same);
+    expect_one([](CellResult& r) { r.error->wrong_surface = 0; }, "error.wrong_surface", better);
     expect_one([](CellResult& r) { r.error->shadow->mean = 0.03; }, "error.shadow.mean", worse);
     expect_one([](CellResult& r) { r.error->shadow->false_shadow = 0; }, "error.shadow.false_shadow", better);
     expect_one([](CellResult& r) { r.error->shadow->missed_shadow = 0.02; }, "error.shadow.missed_shadow", worse);

@@ -41,6 +41,7 @@ CellResult full_result() {
     errors.outside_quad_covered = 0.5;
     errors.coverage_iou = 0.9;
     errors.shadow = CellResult::ShadowErrors{0.02, 0.01, 0.015, 64000, 0.001};
+    errors.wrong_surface = 0.003;
     result.error = errors;
     result.image = CellResult::ImageFields{0.1, 30, 0.9, 0.03};
     result.motion = CellResult::Motion{CellResult::MotionFigure{0.5, 2, 8}, {}, 500000, 12, 700};
@@ -73,7 +74,7 @@ TEST(CellResultJson, HasEveryFieldWhereTheFormatSays) {
             "normal_deg": {"mean": 1.0, "rms": 2.0, "p50": 3.0, "p95": 4.0, "p99": 5.0, "max": 6.0},
             "compared": 65000, "missed": 0.0625, "false_hits": 0.125,
             "outside_quad": {"pixels": 12, "covered": 0.5},
-            "coverage_iou": 0.9,
+            "coverage_iou": 0.9, "wrong_surface": 0.003,
             "shadow": {"mean": 0.02, "false_shadow": 0.01, "missed_shadow": 0.015, "compared": 64000,
                        "truth_standard_error": 0.001}
         },
@@ -117,11 +118,12 @@ TEST(CellResultJson, RunsFromBeforeStoppingRulesAndMotionAreRead) {
     EXPECT_EQ(result.time.at("draw").n, 15U);
 }
 
-TEST(CellResultJson, RunsFromBeforeShadowsAreRead) {
+TEST(CellResultJson, RunsFromBeforeShadowsAndObjectsAreRead) {
     Json json = to_json(full_result());
     json["work"].erase("shadow_taps_mean");
     json["work"].erase("shadow_taps_p95");
     json["error"].erase("shadow");
+    json["error"].erase("wrong_surface");
     const CellResult result = parse_cell_result(json, "cells.jsonl");
     EXPECT_FALSE(result.work->shadow_taps_mean);
     EXPECT_FALSE(result.error->shadow);

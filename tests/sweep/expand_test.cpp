@@ -101,7 +101,7 @@ TEST(Expansion, IdsNameEveryAxisThatIsNotAtItsDefault) {
               R"("azimuth":22.5,"projection":"perspective","distance":2.0,"fov":60.0,"height_scale":0.1,)"
               R"("tiling":4.0,"boundary":"repeat","resolution":"640x480","self_shadow":"off","soft_shadow":null,)"
               R"("hard_shadow_bias":null,"dykhta_bias":null,"shadow_min_steps":null,"shadow_max_steps":null,)"
-              R"("shadow_softening":null})");
+              R"("shadow_softening":null,"depth_write":"on"})");
     EXPECT_EQ(parameters_to_json(cells[0].parameters).dump(), R"({"bias":0.25,"factor":16})");
     EXPECT_EQ(cell_id(fake_techniques()[3], cells[0].parameters, cells[0].view), cells[0].id);
 }
