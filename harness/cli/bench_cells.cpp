@@ -27,7 +27,7 @@ BenchCells::BenchCells(const gpu::Device& device, const TechniqueLibrary& librar
       library_(&library),
       configuration_(&configuration),
       cells_(&cells),
-      inputs_(device, configuration.lighting, configuration.truth) {}
+      inputs_(device, configuration.lighting, configuration.truth, configuration.object) {}
 
 const CellResult& BenchCells::prepare(std::size_t index) {
     const auto known = results_.find(index);
@@ -97,7 +97,7 @@ std::optional<Renderer> BenchCells::make_renderer(std::size_t index) {
 Renderer BenchCells::open_again(std::size_t index) {
     const Cell& cell = (*cells_)[index];
     Renderer renderer(*device_, library_->get(cell.technique), cell.parameters, inputs_.map(cell.view).scene,
-                      cell.view.view, configuration_->lighting);
+                      cell.view.view, configuration_->lighting, configuration_->object);
     renderer.prepare();
     return renderer;
 }

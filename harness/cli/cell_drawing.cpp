@@ -4,8 +4,13 @@
 
 namespace reliefbench {
 
-CellDrawing::CellDrawing(const gpu::Device& device, const TechniqueLibrary& library)
-    : device_(&device), library_(&library), inputs_(device, lighting_, TruthSettings{}) {}
+CellDrawing::CellDrawing(const gpu::Device& device, const TechniqueLibrary& library, const Lighting& lighting,
+                         const std::optional<SceneObject>& object)
+    : device_(&device),
+      library_(&library),
+      lighting_(lighting),
+      object_(object),
+      inputs_(device, lighting, TruthSettings{}, object) {}
 
 Probe CellDrawing::probe(const Cell& cell) {
     inputs_.keep_only({cell.view});
@@ -15,7 +20,7 @@ Probe CellDrawing::probe(const Cell& cell) {
     const std::string unsupported =
         unsupported_reason(*device_, technique, cell.parameters, view, loaded.map.heights.size);
     if (!unsupported.empty()) fail("{}: {}", cell.id, unsupported);
-    Renderer renderer(*device_, technique, cell.parameters, loaded.scene, view, lighting_);
+    Renderer renderer(*device_, technique, cell.parameters, loaded.scene, view, lighting_, object_);
     renderer.prepare();
     return renderer.probe();
 }

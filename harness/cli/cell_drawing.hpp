@@ -7,6 +7,7 @@
 #include "metrics/image_errors.hpp"
 #include "technique/technique.hpp"
 
+#include <optional>
 #include <string>
 
 namespace reliefbench {
@@ -14,8 +15,9 @@ namespace reliefbench {
 /// Draws cells outside runs: once each, untimed.
 class CellDrawing {
 public:
-    /// Both must outlive it.
-    CellDrawing(const gpu::Device& device, const TechniqueLibrary& library);
+    /// Device and library must outlive it.
+    CellDrawing(const gpu::Device& device, const TechniqueLibrary& library, const Lighting& lighting = {},
+                const std::optional<SceneObject>& object = std::nullopt);
 
     /// An Error when the device does not support the cell, or a shader does not compile.
     Probe probe(const Cell& cell);
@@ -26,6 +28,7 @@ private:
     const gpu::Device* device_;
     const TechniqueLibrary* library_;
     Lighting lighting_;
+    std::optional<SceneObject> object_;
     SharedInputs inputs_;
 };
 

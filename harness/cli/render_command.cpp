@@ -7,6 +7,8 @@
 #include "measure/cell_figures.hpp"
 #include "measure/pictures.hpp"
 #include "measure/shared_inputs.hpp"
+#include "metrics/shadow_errors.hpp"
+#include "metrics/wrong_surface.hpp"
 #include "scene/image_file.hpp"
 
 #include <CLI/CLI.hpp>
@@ -26,7 +28,23 @@ std::string format_summary(const std::string& quantity, const std::optional<Summ
                        summary->p99, summary->max);
 }
 
-void print_summary(const Cell& cell, const DrawnCell& drawn) {
+/// Of what only some scenes have.
+void print_scene_errors(const Cell& cell, const DrawnCell& drawn, const Lighting& lighting) {
+    if (cell.view.view.self_shadow.mode != SelfShadow::Mode::off) {
+        const ShadowErrors shadow =
+            compare_shadows(drawn.probe.light_visibility, drawn.probe.hits, drawn.truth.light_visibility.fractions,
+                            drawn.truth.hits, drawn.truth.footprint, drawn.map, drawn.relief, lighting);
+        fmt::print(stderr,
+                   "shadows: visibility wrong by {:.4g} on average; {:.3f} % falsely dark, {:.3f} % falsely lit\n",
+                   shadow.mean, 100 * shadow.false_shadow, 100 * shadow.missed_shadow);
+    }
+    if (drawn.truth.front) {
+        fmt::print(stderr, "wrong surface in front: {:.3f} % of the footprint\n",
+                   100 * wrong_surface(*drawn.probe.front, *drawn.truth.front, drawn.truth.footprint));
+    }
+}
+
+void print_summary(const Cell& cell, const DrawnCell& drawn, const Lighting& lighting) {
     const HitErrors errors = hit_errors_of(drawn);
     const ImageErrors image = image_errors_of(drawn);
     fmt::print(stderr, "{}\n", cell.id);
@@ -51,6 +69,7 @@ void print_summary(const Cell& cell, const DrawnCell& drawn) {
     };
     fmt::print(stderr, "picture: RMSE {}, PSNR {}, SSIM {}, FLIP {}\n", format_figure(image.rmse, ""),
                format_figure(image.psnr, " dB"), format_figure(image.ssim, ""), format_figure(image.flip, ""));
+    print_scene_errors(cell, drawn, lighting);
 }
 
 /// One cell's pictures from left to right; a single one without a legend comes as it is, pixel for pixel.
@@ -94,11 +113,12 @@ void draw_frames(const RenderOptions& options, OutputKind kind, const std::vecto
     }
 }
 
-void draw_cell(const RenderOptions& options, OutputKind kind, const Cell& cell, CellDrawing& drawing) {
+void draw_cell(const RenderOptions& options, OutputKind kind, const Cell& cell, CellDrawing& drawing,
+               const Lighting& lighting) {
     const Probe probe = drawing.probe(cell);
     const DrawnCell drawn = drawing.beside_truth(cell, probe);
     write_cell(options.output, kind, shown_by(options), drawn);
-    print_summary(cell, drawn);
+    print_summary(cell, drawn, lighting);
 }
 
 ExitCode render(const RenderOptions& options) {
@@ -110,16 +130,18 @@ ExitCode render(const RenderOptions& options) {
     }
     const TechniqueLibrary library = options.library.find();
     const std::vector<Cell> cells = cells_to_render(options, library);
+    const Lighting lighting = lighting_of(options);
+    const std::optional<SceneObject> object = object_of(options);
     warn_of_constant_maps(cells);
     const gpu::Device device(options.device.options);
-    CellDrawing drawing(device, library);
+    CellDrawing drawing(device, library, lighting, object);
     ExitCode code = ExitCode::done;
     if (options.contact_sheet) {
         code = draw_contact_sheet(options, cells, drawing);
     } else if (!options.animation.empty()) {
         draw_frames(options, kind, cells, drawing);
     } else {
-        draw_cell(options, kind, cells.front(), drawing);
+        draw_cell(options, kind, cells.front(), drawing, lighting);
     }
     return graver(code, check_validation(device));
 }
@@ -148,6 +170,15 @@ void add_render_command(CLI::App& app, ChosenCommand& chosen) {
                       "One row per technique, and per value of axes with several, cropped to the relief");
     command->add_option("--animate", options->animation, "A frame per value: -o turn.png writes turn_000.png, ...")
         ->type_name("AXIS=VALUES");
+    command
+        ->add_option("--lighting", options->lighting,
+                     R"(As in a configuration: '{"lights": [{"direction": [-1, 0, 0.5]}]}')")
+        ->type_name("JSON");
+    command
+        ->add_option(
+            "--object", options->object,
+            R"(A solid that stands in the relief, as in a configuration: '{"shape": "sphere", "radius": 0.2}')")
+        ->type_name("JSON");
     command->add_option("-o,--output", options->output, "The file to write, .png or .exr")
         ->required()
         ->type_name("FILE");
@@ -168,6 +199,8 @@ void add_render_command(CLI::App& app, ChosenCommand& chosen) {
         "Example: reliefbench render --technique pom --set max_steps=64 -a view_angle=75 -o picture.png\n"
         "Example: reliefbench render --technique pom --show flip,ssim -a view_angle=75 -o maps.png\n"
         "Example: reliefbench render --contact-sheet --technique steep,pom,qdm -a view_angle=60 -o sheet.png\n"
+        "Example: reliefbench render --technique pom -a self_shadow=hard --lighting '{\"lights\": [{\"direction\": "
+        "[-1, 0, 0.5]}]}' -o shadows.png\n"
         "Example: reliefbench render --technique pom --show picture --animate view_angle=[0:80:2] -o turn.png\n");
     command->callback([&chosen, options] { chosen = [options] { return render(*options); }; });
 }

@@ -6,6 +6,7 @@
 #include "manifest/parameter_json.hpp"
 #include "sweep/configuration.hpp"
 #include "sweep/override.hpp"
+#include "sweep/settings.hpp"
 
 #include <fmt/format.h>
 
@@ -126,6 +127,18 @@ void check_single_values(const RenderOptions& options) {
 }
 
 }  // namespace
+
+Lighting lighting_of(const RenderOptions& options) {
+    if (options.lighting.empty()) return {};
+    const Json json = parse_json(options.lighting, "--lighting");
+    return read_lighting(JsonView(json, "--lighting"));
+}
+
+std::optional<SceneObject> object_of(const RenderOptions& options) {
+    if (options.object.empty()) return std::nullopt;
+    const Json json = parse_json(options.object, "--object");
+    return read_object(JsonView(json, "--object"));
+}
 
 std::vector<Shown> shown_by(const RenderOptions& options) {
     const char* const usual = options.contact_sheet ? "truth,picture,uv_error,flip,taps" : "picture,truth,uv_error";

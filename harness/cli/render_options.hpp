@@ -2,9 +2,12 @@
 
 #include "cli/shared_options.hpp"
 #include "picture/pixel_map.hpp"
+#include "scene/lighting.hpp"
+#include "scene/scene_object.hpp"
 #include "sweep/cell.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +23,9 @@ struct RenderOptions {
     /// An axis and its values; empty without.
     std::string animation;
     bool contact_sheet = false;
+    /// Parts of a configuration as JSON; empty without.
+    std::string lighting;
+    std::string object;
     std::string output;
     TechniqueOptions library;
     DeviceChoice device;
@@ -32,6 +38,10 @@ struct Shown {
     /// Of a map.
     PixelMap map = PixelMap::uv_error;
 };
+
+/// Of --lighting and --object; what is left out has the defaults of a configuration.
+Lighting lighting_of(const RenderOptions& options);
+std::optional<SceneObject> object_of(const RenderOptions& options);
 
 /// Without --show: picture, truth and UV error; of a contact sheet truth, picture, UV error, FLIP and taps.
 std::vector<Shown> shown_by(const RenderOptions& options);

@@ -85,7 +85,12 @@ QualityComparison compare_quality_of(const SideCell& base, const SideCell& chang
     const bool comparable_errors = same_truth(*base.runs[0], *changed.runs[0]);
     if (!comparable_errors) before.error = after.error = std::nullopt;
     if (!comparable_errors || !same_lighting(*base.runs[0], *changed.runs[0])) {
-        before.image = after.image = std::nullopt;
+        for (CellResult* side : {&before, &after}) {
+            side->image = std::nullopt;
+            if (!side->error) continue;
+            side->error->shadow = std::nullopt;
+            side->error->wrong_surface = std::nullopt;
+        }
     }
     if (!comparable_errors || !same_motion(*base.runs[0], *changed.runs[0])) {
         before.motion = after.motion = std::nullopt;

@@ -93,6 +93,18 @@ void compare_summary(Changes& changes, const std::string& name, const std::optio
     changes.compare(name + ".max", get(before, &Summary::max), get(after, &Summary::max), Better::lower);
 }
 
+void compare_shadows(Changes& changes, const std::optional<CellResult::ShadowErrors>& base,
+                     const std::optional<CellResult::ShadowErrors>& changed) {
+    using Shadow = CellResult::ShadowErrors;
+    const auto field = [&](const char* name, auto member, Better better) {
+        changes.compare(name, get(base, member), get(changed, member), better);
+    };
+    field("error.shadow.mean", &Shadow::mean, Better::lower);
+    field("error.shadow.false_shadow", &Shadow::false_shadow, Better::lower);
+    field("error.shadow.missed_shadow", &Shadow::missed_shadow, Better::lower);
+    field("error.shadow.compared", &Shadow::compared, Better::neither);
+}
+
 void compare_errors(Changes& changes, const std::optional<CellResult::Errors>& base,
                     const std::optional<CellResult::Errors>& changed) {
     using Errors = CellResult::Errors;
@@ -108,6 +120,8 @@ void compare_errors(Changes& changes, const std::optional<CellResult::Errors>& b
     field("error.outside_quad.pixels", &Errors::outside_quad_pixels, Better::neither);
     field("error.outside_quad.covered", &Errors::outside_quad_covered, Better::higher);
     field("error.coverage_iou", &Errors::coverage_iou, Better::higher);
+    field("error.wrong_surface", &Errors::wrong_surface, Better::lower);
+    compare_shadows(changes, base ? base->shadow : std::nullopt, changed ? changed->shadow : std::nullopt);
 }
 
 /// Infinite for the image without an error, which has none in the file.
@@ -175,6 +189,8 @@ void compare_work(Changes& changes, const std::optional<CellResult::Work>& base,
     field("work.steps_p95", &Work::steps_p95, Better::neither);
     field("work.unconverged", &Work::unconverged, Better::lower);
     field("work.covered_pixels", &Work::covered_pixels, Better::neither);
+    field("work.shadow_taps_mean", &Work::shadow_taps_mean, Better::neither);
+    field("work.shadow_taps_p95", &Work::shadow_taps_p95, Better::neither);
 }
 
 std::optional<double> number(const std::optional<std::uint64_t>& count) {

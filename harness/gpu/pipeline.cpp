@@ -217,7 +217,7 @@ vk::raii::Pipeline make_graphics(const DeviceHandles& handles, const GraphicsPip
         .lineWidth = 1};
     const vk::PipelineMultisampleStateCreateInfo multisampling{.rasterizationSamples = vk::SampleCountFlagBits::e1};
     const vk::PipelineDepthStencilStateCreateInfo depth{
-        .depthTestEnable = true, .depthWriteEnable = true, .depthCompareOp = vk::CompareOp::eLessOrEqual};
+        .depthTestEnable = true, .depthWriteEnable = true, .depthCompareOp = options.depth_compare};
     using Component = vk::ColorComponentFlagBits;
     const std::vector<vk::PipelineColorBlendAttachmentState> attachments(
         options.colour_formats.size(),
@@ -272,8 +272,8 @@ Pipeline make_graphics_pipeline(const Device& device, const GraphicsPipelineOpti
         std::string key = shared_key(options.stages, options.constants, bindings);
         for (const vk::Format format : options.colour_formats)
             key += fmt::format("colour {};", vk::to_string(format));
-        key += fmt::format("depth {};patch {};flags {};", vk::to_string(options.depth_format), options.patch_vertices,
-                           vk::to_string(options.flags));
+        key += fmt::format("depth {} {};patch {};flags {};", vk::to_string(options.depth_format),
+                           vk::to_string(options.depth_compare), options.patch_vertices, vk::to_string(options.flags));
         Pipeline result;
         result.shared = device.shared_pipelines().get(key, make);
         result.extent = options.extent;

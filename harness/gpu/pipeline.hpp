@@ -65,10 +65,11 @@ struct GraphicsPipelineOptions {
     vk::Extent2D extent;
     /// With tessellation stages: vertices of a patch; back faces are culled. 0: triangle strips, nothing culled.
     std::uint32_t patch_vertices = 0;
+    vk::CompareOp depth_compare = vk::CompareOp::eLessOrEqual;
     vk::PipelineCreateFlags flags = {};
 };
 
-/// No vertex buffers; viewport and scissor cover `extent`; depth test less-or-equal with write.
+/// No vertex buffers; viewport and scissor cover `extent`; depth test with write.
 Pipeline make_graphics_pipeline(const Device& device, const GraphicsPipelineOptions& options,
                                 const std::vector<Binding>& bindings);
 

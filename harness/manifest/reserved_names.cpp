@@ -38,7 +38,8 @@ const std::vector<std::string> contract = words(
 // The axes of a view (harness/sweep), which share one namespace with parameters on the command line.
 const std::vector<std::string> axes = words(
     "heightmap heightmap_size height_format view_angle azimuth projection distance fov height_scale tiling "
-    "boundary resolution sample_count");
+    "boundary resolution sample_count self_shadow soft_shadow hard_shadow_bias dykhta_bias shadow_min_steps "
+    "shadow_max_steps shadow_softening depth_write");
 
 const std::vector<std::string> type_stems = words("vec ivec uvec bvec dvec fvec hvec mat dmat");
 

@@ -42,6 +42,27 @@ std::optional<CellResult::Work> summarize_work(const Probe& probe) {
     return work;
 }
 
+void add_shadow_work(CellResult::Work& work, const Probe& probe) {
+    std::vector<double> taps;
+    for (std::size_t pixel = 0; pixel < probe.covered.texels.size(); ++pixel) {
+        if (probe.covered.texels[pixel] != 0) taps.push_back(probe.shadow_taps.texels[pixel]);
+    }
+    if (taps.empty()) return;
+    const Summary summary = summarize(taps);
+    work.shadow_taps_mean = summary.mean;
+    work.shadow_taps_p95 = summary.p95;
+}
+
+CellResult::ShadowErrors to_shadow_errors(const ShadowErrors& errors, const LightVisibility& truth) {
+    CellResult::ShadowErrors fields;
+    fields.mean = errors.mean;
+    fields.false_shadow = errors.false_shadow;
+    fields.missed_shadow = errors.missed_shadow;
+    fields.compared = errors.compared;
+    fields.truth_standard_error = truth.standard_error;
+    return fields;
+}
+
 CellResult::Errors to_errors(const HitErrors& errors) {
     CellResult::Errors fields;
     fields.uv_texels = errors.uv_texels;

@@ -2,6 +2,7 @@
 
 #include "metrics/hit_errors.hpp"
 #include "metrics/image_errors.hpp"
+#include "metrics/shadow_errors.hpp"
 #include "reference/truth.hpp"
 #include "store/cell_result.hpp"
 #include "technique/renderer.hpp"
@@ -17,7 +18,11 @@ namespace reliefbench {
 /// evenly over the covered pixels.
 std::optional<CellResult::Work> summarize_work(const Probe& probe);
 
+/// Adds the taps of self-shadowing.
+void add_shadow_work(CellResult::Work& work, const Probe& probe);
+
 CellResult::Errors to_errors(const HitErrors& errors);
+CellResult::ShadowErrors to_shadow_errors(const ShadowErrors& errors, const LightVisibility& truth);
 CellResult::ImageFields to_image_fields(const ImageErrors& errors);
 
 /// Needs at least one round, each with a sample. Samples of one round are not independent of each other: the median and

@@ -3,6 +3,8 @@
 #include "measure/cell_figures.hpp"
 #include "metrics/hit_errors.hpp"
 #include "metrics/image_errors.hpp"
+#include "metrics/shadow_errors.hpp"
+#include "metrics/wrong_surface.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -41,7 +43,8 @@ PreparedCell prepare_cell(const gpu::Device& device, const Technique& technique,
                           const Configuration& configuration) {
     const LoadedMap& loaded = inputs.map(cell.view);
     const View& view = cell.view.view;
-    Renderer renderer(device, technique, cell.parameters, loaded.scene, view, configuration.lighting);
+    Renderer renderer(device, technique, cell.parameters, loaded.scene, view, configuration.lighting,
+                      configuration.object);
     Preparation preparation = time_preparation(renderer, configuration.sampling);
     Probe probe = renderer.probe();
 
@@ -61,6 +64,14 @@ PreparedCell prepare_cell(const gpu::Device& device, const Technique& technique,
     result.executable = renderer.executable_statistics();
     const Truth& truth = inputs.truth(cell.view);
     result.error = to_errors(compare_hits(probe.hits, truth.hits, truth.footprint, loaded.map, view.relief));
+    if (view.self_shadow.mode != SelfShadow::Mode::off) {
+        if (result.work) add_shadow_work(*result.work, probe);
+        const ShadowErrors shadow =
+            compare_shadows(probe.light_visibility, probe.hits, truth.light_visibility.fractions, truth.hits,
+                            truth.footprint, loaded.map, view.relief, configuration.lighting);
+        result.error->shadow = to_shadow_errors(shadow, truth.light_visibility);
+    }
+    if (truth.front) result.error->wrong_surface = wrong_surface(*probe.front, *truth.front, truth.footprint);
     result.image = to_image_fields(compare_images(probe.colour, probe.hits, truth.colour, truth.hits));
     return {std::move(renderer), std::move(result), std::move(preparation), std::move(probe)};
 }

@@ -75,7 +75,7 @@ public:
           recent_state_(*device_state_, clock),
           rule_(make_stopping_rule(configuration.sampling)),
           estimate_(cells_to_measure(cells, options.earlier), least_rounds(configuration.sampling)),
-          inputs_(device, configuration.lighting, configuration.truth),
+          inputs_(device, configuration.lighting, configuration.truth, configuration.object),
           results_(cells.size()) {}
 
     RunOutcome run() {

@@ -28,6 +28,15 @@ HeightMapRecord inspect(const ViewKey& key) {
     return record;
 }
 
+/// What the truth of a view does not depend on, at its default: views that differ in it alone share one truth.
+ViewKey truth_key(ViewKey key) {
+    SelfShadow self_shadow;
+    self_shadow.mode = key.view.self_shadow.mode;
+    key.view.self_shadow = self_shadow;
+    key.view.depth_write = DepthWrite::on;
+    return key;
+}
+
 }  // namespace
 
 std::vector<HeightMapRecord> inspect_height_maps(const std::vector<Cell>& cells) {
@@ -46,15 +55,18 @@ std::vector<HeightMapRecord> inspect_height_maps(const std::vector<Cell>& cells)
 LoadedMap::LoadedMap(const gpu::Device& device, const HeightMapSource& source, HeightFormat format)
     : map(load_height_map(source, format)), albedo(load_albedo(source, map)), scene(device, map, albedo) {}
 
-Truth trace_truth(const LoadedMap& loaded, const View& view, const Lighting& lighting, const TruthSettings& settings) {
-    if (settings.kind == TruthSettings::Kind::mesh) {
-        return trace_mesh_truth(loaded.map, loaded.albedo, view, lighting, settings.subdivision);
-    }
-    return trace_exact_truth(loaded.map, loaded.albedo, view, lighting);
+Truth trace_truth(const LoadedMap& loaded, const View& view, const Lighting& lighting, const TruthSettings& settings,
+                  const std::optional<SceneObject>& object) {
+    Truth truth = settings.kind == TruthSettings::Kind::mesh
+                      ? trace_mesh_truth(loaded.map, loaded.albedo, view, lighting, settings.subdivision)
+                      : trace_exact_truth(loaded.map, loaded.albedo, view, lighting);
+    if (object) show_object(truth, *object, view, lighting);
+    return truth;
 }
 
-SharedInputs::SharedInputs(const gpu::Device& device, const Lighting& lighting, const TruthSettings& settings)
-    : device_(&device), lighting_(lighting), settings_(settings) {}
+SharedInputs::SharedInputs(const gpu::Device& device, const Lighting& lighting, const TruthSettings& settings,
+                           const std::optional<SceneObject>& object)
+    : device_(&device), lighting_(lighting), settings_(settings), object_(object) {}
 
 const LoadedMap& SharedInputs::map(const ViewKey& key) {
     for (const KeyedMap& keyed : maps_) {
@@ -66,10 +78,11 @@ const LoadedMap& SharedInputs::map(const ViewKey& key) {
     return maps_.back().loaded;
 }
 
-const Truth& SharedInputs::truth(const ViewKey& key) {
+const Truth& SharedInputs::truth(const ViewKey& view) {
+    const ViewKey key = truth_key(view);
     if (!truth_ || truth_->key != key) {
         truth_.reset();
-        truth_.emplace(KeyedTruth{key, truth_from(key, key.view.camera)});
+        truth_.emplace(KeyedTruth{key, trace(key, key.view)});
     }
     return truth_->truth;
 }
@@ -77,13 +90,19 @@ const Truth& SharedInputs::truth(const ViewKey& key) {
 Truth SharedInputs::truth_from(const ViewKey& key, const Camera& camera) {
     View view = key.view;
     view.camera = camera;
-    Truth traced = trace_truth(map(key), view, lighting_, settings_);
+    view.self_shadow = SelfShadow{};
+    return trace(key, view);
+}
+
+Truth SharedInputs::trace(const ViewKey& key, const View& view) {
+    Truth traced = trace_truth(map(key), view, lighting_, settings_, object_);
     truth_seconds_ += traced.trace_ms / 1000.0;
     return traced;
 }
 
 void SharedInputs::keep_only(const std::vector<ViewKey>& views) {
-    if (truth_ && std::find(views.begin(), views.end(), truth_->key) == views.end()) {
+    if (truth_ &&
+        std::none_of(views.begin(), views.end(), [&](const ViewKey& view) { return truth_key(view) == truth_->key; })) {
         truth_.reset();
     }
     maps_.remove_if([&](const KeyedMap& keyed) {

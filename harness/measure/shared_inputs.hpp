@@ -36,18 +36,20 @@ struct LoadedMap {
     SceneOnDevice scene;
 };
 
-Truth trace_truth(const LoadedMap& loaded, const View& view, const Lighting& lighting, const TruthSettings& settings);
+Truth trace_truth(const LoadedMap& loaded, const View& view, const Lighting& lighting, const TruthSettings& settings,
+                  const std::optional<SceneObject>& object = std::nullopt);
 
 /// Height maps and truths that the cells of a block share. Holds one truth, that of the view asked for last: cells of
 /// one view are neighbours, so that each view is traced once.
 class SharedInputs {
 public:
-    SharedInputs(const gpu::Device& device, const Lighting& lighting, const TruthSettings& settings);
+    SharedInputs(const gpu::Device& device, const Lighting& lighting, const TruthSettings& settings,
+                 const std::optional<SceneObject>& object = std::nullopt);
 
     const LoadedMap& map(const ViewKey& key);
     /// Valid until the truth of another view is asked for.
-    const Truth& truth(const ViewKey& key);
-    /// The same view's from another camera, which is not kept.
+    const Truth& truth(const ViewKey& view);
+    /// The same view's from another camera, which is not kept, without shadows.
     Truth truth_from(const ViewKey& key, const Camera& camera);
     /// Frees what none of these views needs.
     void keep_only(const std::vector<ViewKey>& views);
@@ -66,9 +68,12 @@ private:
         Truth truth;
     };
 
+    Truth trace(const ViewKey& key, const View& view);
+
     const gpu::Device* device_;
     Lighting lighting_;
     TruthSettings settings_;
+    std::optional<SceneObject> object_;
     std::list<KeyedMap> maps_;
     std::optional<KeyedTruth> truth_;
     double truth_seconds_ = 0;

@@ -63,7 +63,7 @@ public:
           callbacks_(callbacks),
           clock_(clock),
           start_s_(clock.seconds()),
-          inputs_(device, configuration.lighting, configuration.truth) {
+          inputs_(device, configuration.lighting, configuration.truth, configuration.object) {
         configuration_.sampling.minimum_pass_ms = settings.minimum_pass_ms;
         // Of preparation passes, whose times are not compared.
         configuration_.sampling.rounds = 1;

@@ -8,13 +8,14 @@
 namespace reliefbench {
 
 glm::dvec3 shade(const Lighting& lighting, glm::dvec3 albedo, glm::dvec3 normal, glm::dvec3 to_eye, double t,
-                 double light_visibility) {
+                 glm::dvec3 visibility) {
     if (!lighting.enabled) return albedo;
     glm::dvec3 diffuse = lighting.ambient;
     glm::dvec3 specular{0.0};
-    for (const DirectionalLight& light : lighting.lights) {
+    for (std::size_t i = 0; i < lighting.lights.size(); ++i) {
+        const DirectionalLight& light = lighting.lights[i];
         const glm::dvec3 to_light = glm::normalize(light.direction);
-        const glm::dvec3 arriving = light.colour * light_visibility;
+        const glm::dvec3 arriving = light.colour * visibility[static_cast<glm::length_t>(i)];
         const double n_dot_l = glm::dot(normal, to_light);
         if (n_dot_l <= 0) continue;
         diffuse += arriving * n_dot_l;

@@ -34,6 +34,12 @@ Hit to_hit(const ExactHit& hit) {
     return {static_cast<float>(hit.u), static_cast<float>(hit.v), static_cast<float>(hit.h), static_cast<float>(hit.t)};
 }
 
+/// Visibility of the lights and colour of a truth that has its hits.
+void light(Truth& truth, const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting) {
+    truth.light_visibility = trace_light_visibility(truth.hits, map, view, lighting);
+    truth.colour = shade_hits(truth.hits, truth.light_visibility.fractions, map, albedo, view, lighting);
+}
+
 template <typename Tracer>
 Truth trace_hits(const Tracer& tracer, const View& view) {
     Truth truth;
@@ -55,7 +61,7 @@ Truth trace_hits(const Tracer& tracer, const View& view) {
 Truth trace_exact_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting) {
     const Clock::time_point start = Clock::now();
     Truth truth = trace_hits(ExactTracer(map, view.relief), view);
-    truth.colour = shade_hits(truth.hits, map, albedo, view, lighting);
+    light(truth, map, albedo, view, lighting);
     truth.trace_ms = milliseconds_since(start);
     return truth;
 }
@@ -64,13 +70,31 @@ Truth trace_mesh_truth(const HeightMap& map, const Albedo& albedo, const View& v
                        int subdivision) {
     const Clock::time_point start = Clock::now();
     Truth truth = trace_hits(MeshTracer(map, view, subdivision), view);
-    truth.colour = shade_hits(truth.hits, map, albedo, view, lighting);
+    light(truth, map, albedo, view, lighting);
     truth.trace_ms = milliseconds_since(start);
     return truth;
 }
 
-Image<std::array<float, 3>> shade_hits(const HitImage& hits, const HeightMap& map, const Albedo& albedo,
-                                       const View& view, const Lighting& lighting) {
+void show_object(Truth& truth, const SceneObject& object, const View& view, const Lighting& lighting) {
+    truth.front = Image<Front>(view.resolution, Front::nothing);
+    const PixelRays rays(view.camera, view.resolution);
+    for_each_pixel(view.resolution, [&](int i, int j) {
+        const Ray ray = rays.at(i, j);
+        const Hit& hit = truth.hits.at(i, j);
+        Front& front = truth.front->at(i, j);
+        front = hit.is_hit() ? Front::relief : Front::nothing;
+        const std::optional<ObjectHit> met = intersect(object, ray, view.camera.projection);
+        if (!met || (hit.is_hit() && met->t >= hit.t)) return;
+        front = Front::object;
+        const glm::dvec3 linear = shade(lighting, object.colour, met->normal, -ray.direction, met->t);
+        truth.colour.at(i, j) = {static_cast<float>(linear.r), static_cast<float>(linear.g),
+                                 static_cast<float>(linear.b)};
+    });
+}
+
+Image<std::array<float, 3>> shade_hits(const HitImage& hits, const Image<std::array<float, 3>>& visibility,
+                                       const HeightMap& map, const Albedo& albedo, const View& view,
+                                       const Lighting& lighting) {
     const Image<std::array<float, 2>> derivatives = height_derivatives(map);
     const double tiling = view.relief.tiling;
     const PixelRays rays(view.camera, view.resolution);
@@ -82,11 +106,18 @@ Image<std::array<float, 3>> shade_hits(const HitImage& hits, const HeightMap& ma
             const std::array<double, 3> sampled = albedo.sample(tiling * hit.u, tiling * hit.v);
             const glm::dvec3 normal = shading_normal(derivatives, view.relief, hit.u, hit.v);
             const glm::dvec3 to_eye = -rays.at(i, j).direction;
-            linear = shade(lighting, {sampled[0], sampled[1], sampled[2]}, normal, to_eye, hit.t);
+            const std::array<float, 3>& lit = visibility.at(i, j);
+            linear =
+                shade(lighting, {sampled[0], sampled[1], sampled[2]}, normal, to_eye, hit.t, {lit[0], lit[1], lit[2]});
         }
         colour.at(i, j) = {static_cast<float>(linear.r), static_cast<float>(linear.g), static_cast<float>(linear.b)};
     });
     return colour;
+}
+
+Image<std::array<float, 3>> shade_hits(const HitImage& hits, const HeightMap& map, const Albedo& albedo,
+                                       const View& view, const Lighting& lighting) {
+    return shade_hits(hits, Image<std::array<float, 3>>(hits.size, {1, 1, 1}), map, albedo, view, lighting);
 }
 
 }  // namespace reliefbench

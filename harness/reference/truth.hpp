@@ -1,13 +1,16 @@
 #pragma once
 
+#include "reference/light_visibility.hpp"
 #include "scene/albedo.hpp"
 #include "scene/height_map.hpp"
 #include "scene/hit.hpp"
 #include "scene/lighting.hpp"
 #include "scene/relief.hpp"
+#include "scene/scene_object.hpp"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace reliefbench {
 
@@ -19,6 +22,9 @@ struct Truth {
     Image<std::uint8_t> footprint;
     /// Linear RGB, shaded truth; the background colour where there is no hit.
     Image<std::array<float, 3>> colour;
+    LightVisibility light_visibility;
+    /// What is in front; `hits` are the relief's, whatever covers them. Empty without an object.
+    std::optional<Image<Front>> front;
     /// Wall time of tracing and shading.
     double trace_ms = 0;
 };
@@ -28,7 +34,14 @@ Truth trace_exact_truth(const HeightMap& map, const Albedo& albedo, const View& 
 Truth trace_mesh_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting,
                        int subdivision);
 
-/// Linear RGB of a hit image, shaded as the truth is.
+/// Puts the object into a truth's picture where it is in front of the relief. It neither casts nor receives shadows.
+void show_object(Truth& truth, const SceneObject& object, const View& view, const Lighting& lighting);
+
+/// Linear RGB of a hit image, shaded as the truth is; `visibility` of each light at each hit.
+Image<std::array<float, 3>> shade_hits(const HitImage& hits, const Image<std::array<float, 3>>& visibility,
+                                       const HeightMap& map, const Albedo& albedo, const View& view,
+                                       const Lighting& lighting);
+/// The same without shadows.
 Image<std::array<float, 3>> shade_hits(const HitImage& hits, const HeightMap& map, const Albedo& albedo,
                                        const View& view, const Lighting& lighting);
 

@@ -42,6 +42,7 @@ CellResult complete_cell() {
     cell.work = CellResult::Work{};
     CellResult::Errors errors;
     errors.uv_texels = errors.depth = errors.normal_deg = Summary{};
+    errors.shadow = CellResult::ShadowErrors{};
     cell.error = errors;
     cell.image = CellResult::ImageFields{};
     CellResult::Motion motion;

@@ -11,6 +11,8 @@ struct DirectionalLight {
     /// Towards the light, world space, any length but zero.
     glm::dvec3 direction{-0.5, 0.5, 1.0};
     glm::dvec3 colour{1.0, 1.0, 1.0};
+    /// Half the angle under which it is seen, degrees: the sun's, and what the truth of soft shadows is made with.
+    double angular_radius = 0.2665;
 };
 
 /// Linear towards `colour` with the distance t along the ray.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/camera.hpp"
+#include "scene/self_shadow.hpp"
 
 #include <glm/vec2.hpp>
 
@@ -30,11 +31,24 @@ struct Relief {
     bool operator==(const Relief&) const = default;
 };
 
+/// The depth that a per-pixel technique leaves to what is drawn with it.
+enum class DepthWrite {
+    /// That of the relief's point (gl_FragDepth).
+    on,
+    /// That of the polygon, which needs no writing and leaves early depth tests alone.
+    off,
+    /// That of the relief's point, declared never to be nearer than the polygon's (depth_greater), so that what is
+    /// hidden behind something nearer than the polygon is still rejected early.
+    conservative,
+};
+
 /// Everything but the height map that a truth depends on.
 struct View {
     Camera camera;
     Relief relief;
     Resolution resolution{256, 256};
+    SelfShadow self_shadow = {};
+    DepthWrite depth_write = DepthWrite::on;
 
     bool operator==(const View&) const = default;
 };

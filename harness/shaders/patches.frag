@@ -14,5 +14,5 @@ void main() {
     count_pixel(scene.resolution, gl_FragCoord.xy, 0, true);
     // As in quad.frag: never negative.
     float t = max(0.0, dot(surface_point(surface.xy, surface.z) - view.origin, view.direction));
-    write_surface(vec4(surface, t), view.direction, false, 1.0);
+    write_surface(vec4(surface, t), view.direction, false, vec3(1.0));
 }

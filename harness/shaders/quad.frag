@@ -1,11 +1,16 @@
-// A per-pixel technique: its trace() from the ray of this pixel, then the boundary, the depth and the colour.
+// A per-pixel technique: its trace() from the ray of this pixel, then the boundary, the depth, the shadows and the colour.
 
 #include "lod_fade.glsl"
 #include "relief.glsl"
 #include "scene.glsl"
 #include "surface.glsl"
 #include "trace.glsl"
+#include "self_shadow.glsl"
 #include "work.glsl"
+
+#ifdef RELIEFBENCH_CONSERVATIVE_DEPTH
+layout(depth_greater) out float gl_FragDepth;
+#endif
 
 void main() {
     ViewRay view = view_ray(gl_FragCoord.xy);
@@ -31,7 +36,16 @@ void main() {
     }
     if (!relief_repeats && !inside_patch(hit.xy)) discard;
 
+#ifdef RELIEFBENCH_WRITE_DEPTH
     vec4 clip = scene.clip_from_world * vec4(surface_point(hit.xy, hit.z), 1.0);
-    gl_FragDepth = clip.z / clip.w;
-    write_surface(hit, view.direction, found.flat_normal, found.light_visibility);
+    float depth = clip.z / clip.w;
+#ifdef RELIEFBENCH_CONSERVATIVE_DEPTH
+    // The relief lies beneath its polygon; but rounding, and an answer beside the ray, may come out nearer.
+    depth = max(depth, gl_FragCoord.z);
+#endif
+    gl_FragDepth = depth;
+#endif
+    // The polygon has no shadows.
+    vec3 visibility = found.flat_normal ? vec3(1.0) : light_visibility(hit.xy);
+    write_surface(hit, view.direction, found.flat_normal, visibility);
 }

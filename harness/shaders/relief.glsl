@@ -29,16 +29,15 @@ struct Trace {
     vec2 uv;  // off the ray: texture coordinates and height
     float h;
     int steps;
-    bool converged;          // false when the search ended by its cap
-    bool flat_normal;        // shade with the polygon's normal
-    float light_visibility;  // 1 lit, 0 in the relief's own shadow
+    bool converged;    // false when the search ended by its cap
+    bool flat_normal;  // shade with the polygon's normal
 };
 
-Trace hit_on_ray(float s, int steps) { return Trace(trace_on_ray, s, vec2(0.0), 0.0, steps, true, false, 1.0); }
+Trace hit_on_ray(float s, int steps) { return Trace(trace_on_ray, s, vec2(0.0), 0.0, steps, true, false); }
 
-Trace hit_off_ray(vec2 uv, float h, int steps) { return Trace(trace_off_ray, 0.0, uv, h, steps, true, false, 1.0); }
+Trace hit_off_ray(vec2 uv, float h, int steps) { return Trace(trace_off_ray, 0.0, uv, h, steps, true, false); }
 
-Trace miss(int steps) { return Trace(trace_miss, 0.0, vec2(0.0), 0.0, steps, true, false, 1.0); }
+Trace miss(int steps) { return Trace(trace_miss, 0.0, vec2(0.0), 0.0, steps, true, false); }
 
 Trace unconverged(Trace result) {
     result.converged = false;

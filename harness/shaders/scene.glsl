@@ -46,6 +46,12 @@ layout(constant_id = 0) const bool srgb_target = false;
 layout(constant_id = 1) const bool lighting_enabled = true;
 layout(constant_id = 2) const bool relief_repeats = false;
 
+const int self_shadow_off = 0;
+const int self_shadow_hard = 1;
+const int self_shadow_dykhta = 2;
+const int self_shadow_tatarchuk = 3;
+layout(constant_id = 6) const int self_shadow = self_shadow_off;
+
 // The ray of a pixel, from the camera alone: what the rasteriser interpolates would depend on its precision.
 struct ViewRay {
     vec3 origin;     // the eye; of parallel rays the point in z = 0

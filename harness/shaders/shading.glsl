@@ -5,13 +5,15 @@
 
 #include "scene.glsl"
 
-// Linear RGB. `normal` and `to_eye` are unit vectors, `t` is the distance along the ray.
-vec3 shade(vec3 albedo, vec3 normal, vec3 to_eye, float t, float light_visibility) {
+// Linear RGB. `normal` and `to_eye` are unit vectors, `t` is the distance along the ray; `visibility` says how much of
+// each light arrives.
+vec3 shade(vec3 albedo, vec3 normal, vec3 to_eye, float t, vec3 visibility) {
     vec3 diffuse = scene.ambient;
     vec3 specular = vec3(0.0);
     for (int i = 0; i < scene.light_count; ++i) {
         vec3 to_light = scene.light_direction[i].xyz;
-        vec3 light = scene.light_colour[i].rgb * light_visibility;
+        vec3 light = scene.light_colour[i].rgb;
+        if (self_shadow != self_shadow_off) light *= visibility[i];
         float n_dot_l = dot(normal, to_light);
         if (n_dot_l <= 0.0) continue;
         diffuse += light * n_dot_l;

@@ -27,6 +27,8 @@ void count_pixel(ivec2 resolution, vec2 fragment, int steps, bool converged) {
     atomicAdd(work.pixels[index].z, uint(steps));
     atomicAdd(work.pixels[index].w, converged ? 0u : 1u);
     atomicOr(work.pixels[index].w, covered_bit);
+    counted_taps = 0u;
+    counted_texels = 0u;
 #endif
 }
 

@@ -50,6 +50,8 @@ Json to_json(const CellResult::Work& work) {
     json["steps_p95"] = number(work.steps_p95);
     json["unconverged"] = number(work.unconverged);
     json["covered_pixels"] = work.covered_pixels;
+    json["shadow_taps_mean"] = number(work.shadow_taps_mean);
+    json["shadow_taps_p95"] = number(work.shadow_taps_p95);
     return json;
 }
 
@@ -65,6 +67,16 @@ Json to_json(const std::optional<Summary>& summary) {
     return json;
 }
 
+Json to_json(const CellResult::ShadowErrors& shadow) {
+    Json json;
+    json["mean"] = number(shadow.mean);
+    json["false_shadow"] = number(shadow.false_shadow);
+    json["missed_shadow"] = number(shadow.missed_shadow);
+    json["compared"] = shadow.compared;
+    json["truth_standard_error"] = number(shadow.truth_standard_error);
+    return json;
+}
+
 Json to_json(const CellResult::Errors& errors) {
     Json json;
     json["uv_texels"] = to_json(errors.uv_texels);
@@ -76,6 +88,8 @@ Json to_json(const CellResult::Errors& errors) {
     json["outside_quad"]["pixels"] = errors.outside_quad_pixels;
     json["outside_quad"]["covered"] = number(errors.outside_quad_covered);
     json["coverage_iou"] = number(errors.coverage_iou);
+    json["wrong_surface"] = number(errors.wrong_surface);
+    json["shadow"] = errors.shadow ? to_json(*errors.shadow) : Json(nullptr);
     return json;
 }
 
@@ -145,8 +159,8 @@ PassTiming read_timing(const JsonView& view) {
 }
 
 CellResult::Work read_work(const JsonView& view) {
-    view.require_only(
-        {"taps_mean", "taps_p95", "texels_mean", "steps_mean", "steps_p95", "unconverged", "covered_pixels"});
+    view.require_only({"taps_mean", "taps_p95", "texels_mean", "steps_mean", "steps_p95", "unconverged",
+                       "covered_pixels", "shadow_taps_mean", "shadow_taps_p95"});
     CellResult::Work work;
     work.taps_mean = view.at("taps_mean").number();
     work.taps_p95 = view.at("taps_p95").number();
@@ -155,6 +169,9 @@ CellResult::Work read_work(const JsonView& view) {
     work.steps_p95 = view.at("steps_p95").number();
     work.unconverged = view.at("unconverged").number();
     work.covered_pixels = count(view.at("covered_pixels"));
+    // Runs before there were shadows have neither.
+    if (view.has("shadow_taps_mean")) work.shadow_taps_mean = optional_number(view.at("shadow_taps_mean"));
+    if (view.has("shadow_taps_p95")) work.shadow_taps_p95 = optional_number(view.at("shadow_taps_p95"));
     return work;
 }
 
@@ -170,9 +187,20 @@ Summary read_summary(const JsonView& view) {
     return summary;
 }
 
+CellResult::ShadowErrors read_shadow_errors(const JsonView& view) {
+    view.require_only({"mean", "false_shadow", "missed_shadow", "compared", "truth_standard_error"});
+    CellResult::ShadowErrors shadow;
+    shadow.mean = view.at("mean").number();
+    shadow.false_shadow = view.at("false_shadow").number();
+    shadow.missed_shadow = view.at("missed_shadow").number();
+    shadow.compared = count(view.at("compared"));
+    shadow.truth_standard_error = optional_number(view.at("truth_standard_error"));
+    return shadow;
+}
+
 CellResult::Errors read_errors(const JsonView& view) {
-    view.require_only(
-        {"uv_texels", "depth", "normal_deg", "compared", "missed", "false_hits", "outside_quad", "coverage_iou"});
+    view.require_only({"uv_texels", "depth", "normal_deg", "compared", "missed", "false_hits", "outside_quad",
+                       "coverage_iou", "shadow", "wrong_surface"});
     const JsonView outside_quad = view.at("outside_quad");
     outside_quad.require_only({"pixels", "covered"});
     CellResult::Errors errors;
@@ -185,6 +213,9 @@ CellResult::Errors read_errors(const JsonView& view) {
     errors.outside_quad_pixels = count(outside_quad.at("pixels"));
     errors.outside_quad_covered = optional_number(outside_quad.at("covered"));
     errors.coverage_iou = view.at("coverage_iou").number();
+    // Runs before there were shadows and objects have neither.
+    if (view.has("wrong_surface")) errors.wrong_surface = optional_number(view.at("wrong_surface"));
+    if (view.has("shadow")) errors.shadow = optional(view.at("shadow"), read_shadow_errors);
     return errors;
 }
 

@@ -72,12 +72,22 @@ struct CellResult {
         /// Fraction of covered pixels.
         double unconverged = 0;
         std::uint64_t covered_pixels = 0;
+        /// Of self-shadowing, which the others leave out. Empty without it.
+        std::optional<double> shadow_taps_mean = {}, shadow_taps_p95 = {};
     };
     std::optional<Work> work;
     std::map<std::string, std::uint64_t> pipeline;
     /// What the driver says of the compiled stages, by stage and statistic: registers, spills, bytes of code. Empty
     /// where it says nothing.
     std::map<std::string, std::map<std::string, double>> executable;
+
+    /// Of visibilities, over the pixels and lights compared.
+    struct ShadowErrors {
+        double mean = 0, false_shadow = 0, missed_shadow = 0;
+        std::uint64_t compared = 0;
+        /// Of the truth's soft shadows, averaged over their penumbrae.
+        std::optional<double> truth_standard_error;
+    };
 
     struct Errors {
         std::optional<Summary> uv_texels, depth, normal_deg;
@@ -86,6 +96,10 @@ struct CellResult {
         std::uint64_t outside_quad_pixels = 0;
         std::optional<double> outside_quad_covered;
         double coverage_iou = 0;
+        /// Empty without self-shadowing.
+        std::optional<ShadowErrors> shadow = {};
+        /// Fraction of F in which the wrong one of relief and object is in front. Empty without an object.
+        std::optional<double> wrong_surface = {};
     };
     std::optional<Errors> error;
 

@@ -3,6 +3,7 @@
 #include "core/json.hpp"
 #include "manifest/manifest.hpp"
 #include "scene/lighting.hpp"
+#include "scene/scene_object.hpp"
 #include "sweep/cell.hpp"
 
 #include <cstdint>
@@ -99,6 +100,8 @@ struct Configuration {
     TruthSettings truth;
     SamplingSettings sampling;
     Lighting lighting;
+    /// Stands in the relief.
+    std::optional<SceneObject> object;
     /// Keep pictures and error maps of every cell in images/.
     bool images = false;
     std::optional<MotionSettings> motion;

@@ -15,6 +15,7 @@ const std::vector<std::string>& sampling();
 const std::vector<std::string>& lighting();
 const std::vector<std::string>& light();
 const std::vector<std::string>& fog();
+const std::vector<std::string>& object();
 const std::vector<std::string>& motion();
 
 }  // namespace configuration_keys

@@ -97,6 +97,7 @@ Configuration read(const JsonView& view, const ManifestIndex& manifests) {
     if (view.has("truth")) configuration.truth = read_truth(view.at("truth"));
     if (view.has("sampling")) configuration.sampling = read_sampling(view.at("sampling"));
     if (view.has("lighting")) configuration.lighting = read_lighting(view.at("lighting"));
+    if (view.has("object")) configuration.object = read_object(view.at("object"));
     if (view.has("images")) configuration.images = view.at("images").boolean();
     if (view.has("motion")) configuration.motion = read_motion(view.at("motion"));
     return configuration;
@@ -192,6 +193,7 @@ Json expanded_json(const Configuration& configuration) {
     json["truth"] = to_json(configuration.truth);
     json["sampling"] = to_json(configuration.sampling);
     json["lighting"] = to_json(configuration.lighting);
+    if (configuration.object) json["object"] = to_json(*configuration.object);
     json["images"] = configuration.images;
     if (configuration.motion) json["motion"] = to_json(*configuration.motion);
     return json;
@@ -215,8 +217,9 @@ void warn_of_sizes_of_files(const Configuration& configuration) {
 namespace configuration_keys {
 
 const std::vector<std::string>& top() {
-    static const std::vector<std::string> keys{"$schema", "name",  "techniques", "axes",     "zip",    "exclude",
-                                               "seed",    "truth", "sampling",   "lighting", "images", "motion"};
+    static const std::vector<std::string> keys{"$schema", "name",   "techniques", "axes",     "zip",
+                                               "exclude", "seed",   "truth",      "sampling", "lighting",
+                                               "object",  "images", "motion"};
     return keys;
 }
 

@@ -17,6 +17,9 @@ const std::vector<std::string> sampling_rules{"precision", "fixed", "time"};
 /// In the order of MotionSettings::Along.
 const std::vector<std::string> motion_directions{"view_angle", "azimuth"};
 
+/// In the order of SceneObject::Shape.
+const std::vector<std::string> object_shapes{"sphere", "box"};
+
 constexpr int largest_subdivision = 64;
 constexpr int most_rounds = 100000;
 constexpr int most_draws = 10000;
@@ -31,6 +34,9 @@ constexpr double largest_length = 1e6;
 constexpr int most_frames = 1000;
 constexpr double longest_step_degrees = 10;
 constexpr double longest_arc_degrees = 60;
+constexpr double largest_angular_radius = 45;
+/// In patch sides; there are floats in the way.
+constexpr double largest_object = 100;
 
 glm::dvec3 read_vector(const JsonView& view, double minimum, double maximum) {
     const std::vector<JsonView> items = view.items();
@@ -54,6 +60,7 @@ DirectionalLight read_light(const JsonView& view) {
         if (light.direction == glm::dvec3(0)) view.at("direction").fail_expected("a direction that is not zero");
     }
     if (view.has("colour")) light.colour = read_colour(view.at("colour"));
+    if (view.has("angular_radius")) light.angular_radius = view.at("angular_radius").number(0, largest_angular_radius);
     return light;
 }
 
@@ -91,7 +98,12 @@ const std::vector<std::string>& lighting() {
 }
 
 const std::vector<std::string>& light() {
-    static const std::vector<std::string> keys{"direction", "colour"};
+    static const std::vector<std::string> keys{"direction", "colour", "angular_radius"};
+    return keys;
+}
+
+const std::vector<std::string>& object() {
+    static const std::vector<std::string> keys{"shape", "centre", "radius", "half_size", "colour"};
     return keys;
 }
 
@@ -193,6 +205,38 @@ Camera camera_in_motion(const Camera& camera, const MotionSettings& motion, int 
     return moved;
 }
 
+SceneObject read_object(const JsonView& view) {
+    view.require_only(configuration_keys::object());
+    SceneObject object;
+    object.shape = static_cast<SceneObject::Shape>(view.at("shape").choice(object_shapes));
+    const bool sphere = object.shape == SceneObject::Shape::sphere;
+    const char* const other = sphere ? "half_size" : "radius";
+    if (view.has(other)) view.at(other).fail_expected(sphere ? "no half_size of a sphere" : "no radius of a box");
+    if (view.has("centre")) object.centre = read_vector(view.at("centre"), -largest_object, largest_object);
+    if (view.has("radius")) {
+        object.radius = view.at("radius").number(0, largest_object);
+        if (object.radius == 0) view.at("radius").fail_expected("a radius above 0");
+    }
+    if (view.has("half_size")) {
+        object.half_size = read_vector(view.at("half_size"), 0, largest_object);
+        if (object.half_size.x == 0 || object.half_size.y == 0 || object.half_size.z == 0) {
+            view.at("half_size").fail_expected("three lengths above 0");
+        }
+    }
+    if (view.has("colour")) object.colour = read_colour(view.at("colour"));
+    return object;
+}
+
+Json to_json(const SceneObject& object) {
+    Json json = Json::object();
+    json["shape"] = object_shapes[static_cast<std::size_t>(object.shape)];
+    json["centre"] = to_json(object.centre);
+    if (object.shape == SceneObject::Shape::sphere) json["radius"] = object.radius;
+    if (object.shape == SceneObject::Shape::box) json["half_size"] = to_json(object.half_size);
+    json["colour"] = to_json(object.colour);
+    return json;
+}
+
 Json to_json(const TruthSettings& truth) {
     return {{"kind", truth_kinds[static_cast<std::size_t>(truth.kind)]}, {"subdivision", truth.subdivision}};
 }
@@ -211,7 +255,10 @@ Json to_json(const Lighting& lighting) {
     Json json = Json::object();
     json["lights"] = Json::array();
     for (const DirectionalLight& light : lighting.lights) {
-        json["lights"].push_back({{"direction", to_json(light.direction)}, {"colour", to_json(light.colour)}});
+        Json each{{"direction", to_json(light.direction)}, {"colour", to_json(light.colour)}};
+        // Runs made before lights had one are under the same lighting as those with the default.
+        if (light.angular_radius != DirectionalLight{}.angular_radius) each["angular_radius"] = light.angular_radius;
+        json["lights"].push_back(std::move(each));
     }
     json["ambient"] = to_json(lighting.ambient);
     json["specular"] = to_json(lighting.specular);

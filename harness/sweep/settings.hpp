@@ -10,11 +10,13 @@ namespace reliefbench {
 TruthSettings read_truth(const JsonView& view);
 SamplingSettings read_sampling(const JsonView& view);
 Lighting read_lighting(const JsonView& view);
+SceneObject read_object(const JsonView& view);
 MotionSettings read_motion(const JsonView& view);
 
 Json to_json(const TruthSettings& truth);
 Json to_json(const SamplingSettings& sampling);
 Json to_json(const Lighting& lighting);
+Json to_json(const SceneObject& object);
 Json to_json(const MotionSettings& motion);
 
 }  // namespace reliefbench

@@ -1,6 +1,5 @@
 #include "sweep/view_axes.hpp"
 
-#include "scene/procedural.hpp"
 #include "sweep/height_map_value.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +18,8 @@ constexpr double smallest_fov = 1;
 constexpr double largest_fov = 170;
 constexpr double largest_height_scale = 10;
 constexpr double largest_tiling = 1024;
+constexpr int most_shadow_steps = 65536;
+constexpr double largest_softening = 1000;
 
 /// Above 0 and up to the maximum.
 double read_positive(const JsonView& view, double maximum) {
@@ -34,6 +35,11 @@ double read_view_angle(const JsonView& view) {
     return view.number(0, largest_view_angle);
 }
 
+const ViewKey& plain_view() {
+    static const ViewKey view;
+    return view;
+}
+
 /// An axis that is one number of the view.
 template <typename Read, typename Member>
 ViewAxis number_axis(std::string name, Read read, Member member) {
@@ -41,7 +47,7 @@ ViewAxis number_axis(std::string name, Read read, Member member) {
             [read, member](const JsonView& json) -> ViewSetting {
                 return [number = read(json), member](ViewKey& view) { member(view) = number; };
             },
-            [member](const ViewKey& view) { return Json(member(view)); }};
+            [member](const ViewKey& view) { return Json(member(view)); }, Json(member(plain_view()))};
 }
 
 /// An axis that is one of a few words, of an enumeration in the order of its enumerators.
@@ -52,15 +58,40 @@ ViewAxis word_axis(std::string name, std::vector<std::string> words, Member memb
                 const auto value = static_cast<Enumeration>(json.choice(words));
                 return [value, member](ViewKey& view) { member(view) = value; };
             },
-            [words, member](const ViewKey& view) { return Json(words[static_cast<std::size_t>(member(view))]); }};
+            [words, member](const ViewKey& view) { return Json(words[static_cast<std::size_t>(member(view))]); },
+            Json(words[static_cast<std::size_t>(member(plain_view()))])};
 }
 
-/// Makes an axis one that only perspective views have.
-ViewAxis perspective_only(ViewAxis axis) {
-    axis.value = [value = std::move(axis.value)](const ViewKey& view) {
-        return view.view.camera.projection == Projection::perspective ? value(view) : Json();
+/// Makes an axis one that only some views have.
+ViewAxis only_where(bool (*has_use)(const View&), ViewAxis axis) {
+    axis.value = [has_use, value = std::move(axis.value)](const ViewKey& view) {
+        return has_use(view.view) ? value(view) : Json();
     };
     return axis;
+}
+
+bool is_perspective(const View& view) {
+    return view.camera.projection == Projection::perspective;
+}
+
+bool has_hard_shadows(const View& view) {
+    return view.self_shadow.mode == SelfShadow::Mode::hard;
+}
+
+bool has_soft_shadows(const View& view) {
+    return view.self_shadow.mode == SelfShadow::Mode::soft;
+}
+
+bool has_dykhta_shadows(const View& view) {
+    return has_soft_shadows(view) && view.self_shadow.soft == SelfShadow::Soft::dykhta;
+}
+
+bool has_tatarchuk_shadows(const View& view) {
+    return has_soft_shadows(view) && view.self_shadow.soft == SelfShadow::Soft::tatarchuk;
+}
+
+bool has_shadow_steps(const View& view) {
+    return has_hard_shadows(view) || has_dykhta_shadows(view);
 }
 
 ViewAxis heightmap_axis() {
@@ -82,7 +113,8 @@ ViewAxis heightmap_size_axis() {
             },
             [](const ViewKey& view) {
                 return is_procedural(view.height_map.name) ? Json(to_string(view.height_map.size)) : Json();
-            }};
+            },
+            Json(to_string(plain_view().height_map.size))};
 }
 
 ViewAxis resolution_axis() {
@@ -90,7 +122,61 @@ ViewAxis resolution_axis() {
             [](const JsonView& json) -> ViewSetting {
                 return [size = read_resolution(json)](ViewKey& view) { view.view.resolution = size; };
             },
-            [](const ViewKey& view) { return Json(to_string(view.view.resolution)); }};
+            [](const ViewKey& view) { return Json(to_string(view.view.resolution)); },
+            Json(to_string(plain_view().view.resolution))};
+}
+
+int read_shadow_steps(const JsonView& view) {
+    return static_cast<int>(view.integer(1, most_shadow_steps));
+}
+
+double read_fraction(const JsonView& view) {
+    return view.number(0, 1);
+}
+
+void append_self_shadow_axes(std::vector<ViewAxis>& axes) {
+    axes.push_back(word_axis<SelfShadow::Mode>(
+        "self_shadow", {"off", "hard", "soft"}, [](auto& key) -> auto& { return key.view.self_shadow.mode; }));
+    axes.push_back(only_where(has_soft_shadows, word_axis<SelfShadow::Soft>(
+                                                    "soft_shadow", {"dykhta", "tatarchuk"},
+                                                    [](auto& key) -> auto& { return key.view.self_shadow.soft; })));
+    axes.push_back(only_where(has_hard_shadows, number_axis(
+                                                    "hard_shadow_bias", read_fraction, [](auto& key) -> auto& {
+                                                        return key.view.self_shadow.hard_bias;
+                                                    })));
+    axes.push_back(only_where(has_dykhta_shadows, number_axis(
+                                                      "dykhta_bias", read_fraction, [](auto& key) -> auto& {
+                                                          return key.view.self_shadow.dykhta_bias;
+                                                      })));
+    axes.push_back(only_where(has_shadow_steps, number_axis(
+                                                    "shadow_min_steps", read_shadow_steps, [](auto& key) -> auto& {
+                                                        return key.view.self_shadow.min_steps;
+                                                    })));
+    axes.push_back(only_where(has_shadow_steps, number_axis(
+                                                    "shadow_max_steps", read_shadow_steps, [](auto& key) -> auto& {
+                                                        return key.view.self_shadow.max_steps;
+                                                    })));
+    axes.push_back(
+        only_where(has_tatarchuk_shadows,
+                   number_axis(
+                       "shadow_softening", [](const JsonView& json) { return json.number(0, largest_softening); },
+                       [](auto& key) -> auto& { return key.view.self_shadow.softening; })));
+}
+
+/// What a method has no use for is left at its default.
+void reset_unused(SelfShadow& self_shadow) {
+    const SelfShadow given = self_shadow;
+    self_shadow = SelfShadow{};
+    self_shadow.mode = given.mode;
+    const bool dykhta = given.mode == SelfShadow::Mode::soft && given.soft == SelfShadow::Soft::dykhta;
+    if (given.mode == SelfShadow::Mode::soft) self_shadow.soft = given.soft;
+    if (given.mode == SelfShadow::Mode::hard) self_shadow.hard_bias = given.hard_bias;
+    if (dykhta) self_shadow.dykhta_bias = given.dykhta_bias;
+    if (given.mode == SelfShadow::Mode::hard || dykhta) {
+        self_shadow.min_steps = given.min_steps;
+        self_shadow.max_steps = given.max_steps;
+    }
+    if (given.mode == SelfShadow::Mode::soft && !dykhta) self_shadow.softening = given.softening;
 }
 
 std::vector<ViewAxis> make_view_axes() {
@@ -109,11 +195,13 @@ std::vector<ViewAxis> make_view_axes() {
         [](auto& key) -> auto& { return key.view.camera.azimuth; }));
     axes.push_back(word_axis<Projection>(
         "projection", {"perspective", "parallel"}, [](auto& key) -> auto& { return key.view.camera.projection; }));
-    axes.push_back(perspective_only(number_axis(
-        "distance", positive_to(largest_distance), [](auto& key) -> auto& { return key.view.camera.distance; })));
-    axes.push_back(perspective_only(number_axis(
-        "fov", [](const JsonView& json) { return json.number(smallest_fov, largest_fov); },
-        [](auto& key) -> auto& { return key.view.camera.fov; })));
+    axes.push_back(only_where(is_perspective, number_axis(
+                                                  "distance", positive_to(largest_distance),
+                                                  [](auto& key) -> auto& { return key.view.camera.distance; })));
+    axes.push_back(only_where(is_perspective,
+                              number_axis(
+                                  "fov", [](const JsonView& json) { return json.number(smallest_fov, largest_fov); },
+                                  [](auto& key) -> auto& { return key.view.camera.fov; })));
     axes.push_back(number_axis(
         "height_scale", positive_to(largest_height_scale),
         [](auto& key) -> auto& { return key.view.relief.height_scale; }));
@@ -122,6 +210,9 @@ std::vector<ViewAxis> make_view_axes() {
     axes.push_back(word_axis<Boundary>(
         "boundary", {"clip", "repeat"}, [](auto& key) -> auto& { return key.view.relief.boundary; }));
     axes.push_back(resolution_axis());
+    append_self_shadow_axes(axes);
+    axes.push_back(word_axis<DepthWrite>(
+        "depth_write", {"on", "off", "conservative"}, [](auto& key) -> auto& { return key.view.depth_write; }));
     return axes;
 }
 
@@ -152,24 +243,15 @@ ViewKey make_view(const std::vector<ViewChoice>& choices) {
         view.view.camera.distance = Camera{}.distance;
         view.view.camera.fov = Camera{}.fov;
     }
+    reset_unused(view.view.self_shadow);
     return view;
 }
 
 std::string view_id(const ViewKey& view) {
-    static const std::vector<Json> defaults = [] {
-        std::vector<Json> values;
-        ViewKey plain;
-        plain.height_map.name = procedural_maps().front().name;
-        for (const ViewAxis& axis : view_axes())
-            values.push_back(axis.value(plain));
-        return values;
-    }();
     std::string id;
-    for (std::size_t index = 0; index < view_axes().size(); ++index) {
-        const ViewAxis& axis = view_axes()[index];
+    for (const ViewAxis& axis : view_axes()) {
         const Json value = axis.value(view);
-        const bool always_shown = index == 0;
-        if (value.is_null() || (!always_shown && value == defaults[index])) continue;
+        if (value.is_null() || value == axis.default_value) continue;
         if (!id.empty()) id += ' ';
         id += axis.name + '=' + scalar_text(value);
     }

@@ -20,6 +20,8 @@ struct ViewAxis {
     /// The view's value as results write it, a scalar; null where the view has no use for the axis (a file's
     /// heightmap_size, the distance of parallel rays).
     std::function<Json(const ViewKey&)> value;
+    /// What ids leave out: the value that a view has where nothing sets the axis. Null: ids always tell it.
+    Json default_value = {};
 };
 
 /// In the order of ids and results; heightmap first.

@@ -11,6 +11,7 @@ namespace reliefbench {
 namespace {
 
 constexpr vk::Format depth_format = vk::Format::eD32Sfloat;
+constexpr std::uint32_t object_vertices = 3;
 /// Numbers for each pixel, and for all stages before the fragment stage together (work.glsl).
 constexpr std::size_t work_values = 4;
 
@@ -26,7 +27,7 @@ std::uint32_t vertices_per_draw(const gpu::Device& device, const DrawSetup& setu
 std::vector<vk::Format> target_formats(Draw::Kind kind) {
     switch (kind) {
         case Draw::Kind::probed:
-            return {vk::Format::eR32G32B32A32Sfloat, vk::Format::eR32G32B32A32Sfloat};
+            return {vk::Format::eR32G32B32A32Sfloat, vk::Format::eR32G32B32A32Sfloat, vk::Format::eR32G32B32A32Sfloat};
         case Draw::Kind::timed_display:
             return {vk::Format::eR8G8B8A8Unorm};
         case Draw::Kind::timed_float:
@@ -48,13 +49,15 @@ gpu::GraphicsPipelineOptions pipeline_options(const gpu::Device& device, const T
                                               const DrawSetup& setup) {
     gpu::GraphicsPipelineOptions options{
         .stages = compile_draw(device, technique, setup.parameters,
-                               kind == Draw::Kind::probed ? Variant::probed : Variant::timed),
+                               kind == Draw::Kind::probed ? Variant::probed : Variant::timed, setup.depth_write),
         .constants = setup.constants,
         .colour_formats = target_formats(kind),
         .depth_format = depth_format,
         .extent = setup.extent,
         .patch_vertices = setup.patch_corners};
     options.constants[constant::srgb_target] = kind == Draw::Kind::timed_display ? 1 : 0;
+    // What of the object stands before the near plane has a depth of 0, as the polygon has under parallel rays.
+    if (setup.object && kind != Draw::Kind::probed) options.depth_compare = vk::CompareOp::eLess;
     return options;
 }
 
@@ -76,12 +79,18 @@ Draw::Draw(const gpu::Device& device, const Technique& technique, Kind kind, con
     const gpu::GraphicsPipelineOptions options = pipeline_options(device, technique, kind, setup);
     if (kind == Kind::probed) {
         clears_.push_back({.float32 = std::array<float, 4>{0, 0, 0, -1}});
+        clears_.push_back({.float32 = std::array<float, 4>{1, 1, 1, 0}});
         const std::size_t pixels = std::size_t{extent_.width} * extent_.height;
         work_.emplace(device, (1 + pixels) * work_values * sizeof(std::uint32_t),
                       vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst, true);
         bindings.push_back(gpu::storage_buffer(binding::work, work_->buffer));
     }
     pipeline_ = gpu::make_graphics_pipeline(device, options, bindings);
+    if (!setup.object || kind == Kind::probed) return;
+    object_pipeline_ =
+        setup.object->make_pipeline(options.colour_formats, depth_format, extent_,
+                                    {{constant::srgb_target, options.constants.at(constant::srgb_target)},
+                                     {constant::lighting_enabled, options.constants.at(constant::lighting_enabled)}});
 }
 
 void Draw::begin(const vk::raii::CommandBuffer& commands) const {
@@ -114,6 +123,10 @@ void Draw::record(const vk::raii::CommandBuffer& commands) const {
                                               .colorAttachmentCount = static_cast<std::uint32_t>(attachments.size()),
                                               .pColorAttachments = attachments.data(),
                                               .pDepthAttachment = &depth});
+    if (object_pipeline_) {
+        object_pipeline_->bind(commands);
+        commands.draw(object_vertices, 1, 0, 0);
+    }
     pipeline_.bind(commands);
     for (std::uint32_t first = 0; first < vertices_; first += vertices_per_draw_)
         commands.draw(std::min(vertices_per_draw_, vertices_ - first), 1, first, 0);

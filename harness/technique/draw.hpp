@@ -5,6 +5,7 @@
 #include "gpu/executable_statistics.hpp"
 #include "gpu/memory.hpp"
 #include "gpu/pipeline.hpp"
+#include "technique/object_draw.hpp"
 #include "technique/program.hpp"
 #include "technique/renderer.hpp"
 
@@ -23,6 +24,9 @@ struct DrawSetup {
     std::uint32_t vertices = 4;
     /// Vertices of a patch; 0: no patches, but the strip of the quad.
     std::uint32_t patch_corners = 0;
+    DepthWrite depth_write = DepthWrite::on;
+    /// Drawn first, into what is timed.
+    std::optional<ObjectOnDevice> object = {};
     /// Linear RGB.
     std::array<float, 3> background{};
 };
@@ -55,6 +59,7 @@ private:
     gpu::Texture depth_;
     std::optional<gpu::Buffer> work_;
     gpu::Pipeline pipeline_;
+    std::optional<gpu::Pipeline> object_pipeline_;
 };
 
 /// Of what is timed.

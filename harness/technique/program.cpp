@@ -15,6 +15,19 @@ namespace {
 
 constexpr const char* pass_file = "pass.glsl";
 
+/// Values of the constant self_shadow in scene.glsl.
+namespace self_shadow_method {
+constexpr std::uint32_t off = 0;
+constexpr std::uint32_t hard = 1;
+constexpr std::uint32_t dykhta = 2;
+constexpr std::uint32_t tatarchuk = 3;
+}  // namespace self_shadow_method
+
+/// Whether techniques of the kind search along the ray, so that they can search along a light's.
+bool marches(const std::string& kind) {
+    return kind == "march" || kind == "hierarchy" || kind == "cone";
+}
+
 std::string upper_case(std::string word) {
     std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     return word;
@@ -125,15 +138,20 @@ bool indexes_scene(const gpu::Device& device) {
 }
 
 std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Technique& technique,
-                                             const ParameterValues& parameters, Variant variant) {
+                                             const ParameterValues& parameters, Variant variant,
+                                             DepthWrite depth_write) {
     const Manifest& manifest = technique.manifest;
     const bool probed = variant == Variant::probed;
     std::string preamble = probed ? "#define RELIEFBENCH_PROBED 1\n" : "";
     if (indexes_scene(device)) preamble += "#define RELIEFBENCH_INDEXED_SCENE 1\n";
+    if (marches(manifest.kind)) preamble += "#define RELIEFBENCH_OWN_MARCH 1\n";
+    if (depth_write != DepthWrite::off) preamble += "#define RELIEFBENCH_WRITE_DEPTH 1\n";
+    if (depth_write == DepthWrite::conservative) preamble += "#define RELIEFBENCH_CONSERVATIVE_DEPTH 1\n";
     preamble += declare_parameters(manifest, parameters);
     for (std::size_t i = 0; i < manifest.maps.size(); ++i)
         preamble += declare_map(manifest.maps[i], i);
-    std::string key = (probed ? "probed" : "timed") + compile_time_key(manifest, parameters);
+    std::string key = fmt::format("{} {}{}", probed ? "probed" : "timed", static_cast<int>(depth_write),
+                                  compile_time_key(manifest, parameters));
     if (manifest.shape.kind == Shape::Kind::patches) {
         const std::string corners =
             fmt::format("const int patch_corners = {};\n", manifest.shape.patch_corners(parameters));
@@ -203,6 +221,21 @@ gpu::SpecializationValues parameter_constants(const Manifest& manifest, const Pa
         constants[id++] = bits;
     }
     return constants;
+}
+
+gpu::SpecializationValues self_shadow_constants(const SelfShadow& self_shadow) {
+    // What is off leaves its other settings alone: all of them share one pipeline.
+    if (self_shadow.mode == SelfShadow::Mode::off) return {{constant::self_shadow, self_shadow_method::off}};
+    const bool hard = self_shadow.mode == SelfShadow::Mode::hard;
+    const bool dykhta = self_shadow.soft == SelfShadow::Soft::dykhta;
+    const auto bits = [](double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); };
+    return {{constant::self_shadow, hard     ? self_shadow_method::hard
+                                    : dykhta ? self_shadow_method::dykhta
+                                             : self_shadow_method::tatarchuk},
+            {constant::self_shadow_bias, bits(hard ? self_shadow.hard_bias : self_shadow.dykhta_bias)},
+            {constant::self_shadow_min_steps, static_cast<std::uint32_t>(self_shadow.min_steps)},
+            {constant::self_shadow_max_steps, static_cast<std::uint32_t>(self_shadow.max_steps)},
+            {constant::self_shadow_softening, bits(self_shadow.softening)}};
 }
 
 std::vector<std::size_t> maps_before(const Manifest& manifest, const PassDeclaration& pass) {

@@ -3,6 +3,7 @@
 // Internal to this layer: includes Vulkan.
 
 #include "gpu/pipeline.hpp"
+#include "scene/relief.hpp"
 #include "technique/technique.hpp"
 
 #include <vector>
@@ -19,6 +20,8 @@ inline constexpr std::uint32_t albedo = 4;
 inline constexpr std::uint32_t work = 5;
 inline constexpr std::uint32_t target_map = 6;
 inline constexpr std::uint32_t previous_map = 7;
+/// Of the draw of the scene's object, which has no maps.
+inline constexpr std::uint32_t object = 7;
 inline constexpr std::uint32_t first_derived_map = 8;
 }  // namespace binding
 
@@ -27,6 +30,12 @@ namespace constant {
 inline constexpr std::uint32_t srgb_target = 0;
 inline constexpr std::uint32_t lighting_enabled = 1;
 inline constexpr std::uint32_t relief_repeats = 2;
+inline constexpr std::uint32_t self_shadow = 6;
+inline constexpr std::uint32_t self_shadow_bias = 7;
+inline constexpr std::uint32_t self_shadow_min_steps = 8;
+inline constexpr std::uint32_t self_shadow_max_steps = 9;
+inline constexpr std::uint32_t self_shadow_softening = 10;
+inline constexpr std::uint32_t object_is_box = 11;
 inline constexpr std::uint32_t first_parameter = 16;
 }  // namespace constant
 
@@ -41,13 +50,17 @@ enum class Variant { timed, probed };
 /// All stages of a technique's draw, from the device's shader cache where they have been compiled before. What does not
 /// compile is an Error that names technique, file and line. Of the parameters, those of compile time count.
 std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Technique& technique,
-                                             const ParameterValues& parameters, Variant variant);
+                                             const ParameterValues& parameters, Variant variant,
+                                             DepthWrite depth_write);
 
 gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& technique,
                                 const ParameterValues& parameters, const PassDeclaration& pass);
 
 /// A parameter's value as the 32 bits of its specialization constant.
 gpu::SpecializationValues parameter_constants(const Manifest& manifest, const ParameterValues& values);
+
+/// The specialization constants of harness/shaders/self_shadow.glsl.
+gpu::SpecializationValues self_shadow_constants(const SelfShadow& self_shadow);
 
 /// Maps that a pass may read: those finished by earlier passes. Indices into manifest.maps.
 std::vector<std::size_t> maps_before(const Manifest& manifest, const PassDeclaration& pass);

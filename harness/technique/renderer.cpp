@@ -6,6 +6,7 @@
 #include "gpu/timers.hpp"
 #include "technique/derived_maps.hpp"
 #include "technique/draw.hpp"
+#include "technique/object_draw.hpp"
 #include "technique/program.hpp"
 #include "technique/scene_textures.hpp"
 #include "technique/scene_uniforms.hpp"
@@ -42,6 +43,16 @@ gpu::Buffer upload_uniforms(const gpu::Device& device, const SceneUniforms& unif
                                    std::as_bytes(std::span(&block, 1)));
 }
 
+/// The picture that is shipped, in which depths decide what is in front.
+void show_object(Probe& probe, const TimedPicture& picture) {
+    probe.front = Image<Front>(picture.colour.size, Front::nothing);
+    for (std::size_t i = 0; i < picture.colour.texels.size(); ++i) {
+        const std::array<float, 4>& colour = picture.colour.texels[i];
+        probe.colour.texels[i] = {colour[0], colour[1], colour[2]};
+        if (colour[3] > 0) probe.front->texels[i] = colour[3] == object_alpha ? Front::object : Front::relief;
+    }
+}
+
 /// The commands that time a draw.
 struct TimedRecording {
     TimedRecording(const gpu::Device& device, const Draw& draw, const std::string& what, int samples_in_all,
@@ -75,7 +86,8 @@ struct TimedRecording {
 
 struct Renderer::State {
     State(const gpu::Device& used_device, const Technique& used_technique, const ParameterValues& used_parameters,
-          const SceneOnDevice& used_scene, const View& used_view, const Lighting& used_lighting)
+          const SceneOnDevice& used_scene, const View& used_view, const Lighting& used_lighting,
+          const std::optional<SceneObject>& used_object)
         : device(used_device),
           technique(used_technique),
           parameters(used_parameters),
@@ -83,11 +95,12 @@ struct Renderer::State {
           view(used_view),
           lighting(used_lighting),
           maps(device, technique, parameters, scene.textures()),
+          object(used_object),
           uniforms(make_uniforms(view)),
           setup(make_setup(view, uniforms)) {
         // Both now, so that a shader that does not compile is known before anything is drawn.
-        compile_draw(device, technique, parameters, Variant::timed);
-        compile_draw(device, technique, parameters, Variant::probed);
+        compile_draw(device, technique, parameters, Variant::timed, view.depth_write);
+        compile_draw(device, technique, parameters, Variant::probed, view.depth_write);
     }
 
     const gpu::Device& device;
@@ -97,6 +110,7 @@ struct Renderer::State {
     View view;
     Lighting lighting;
     DerivedMaps maps;
+    std::optional<SceneObject> object;
     gpu::Buffer uniforms;
     DrawSetup setup;
     bool prepared = false;
@@ -132,10 +146,14 @@ DrawSetup Renderer::State::make_setup(const View& from, const gpu::Buffer& value
     result.constants = parameter_constants(technique.manifest, parameters);
     result.constants[constant::lighting_enabled] = lighting.enabled ? 1 : 0;
     result.constants[constant::relief_repeats] = from.relief.boundary == Boundary::repeat ? 1 : 0;
+    result.constants.merge(self_shadow_constants(from.self_shadow));
     result.bindings = scene.textures().all_bindings();
     result.bindings.push_back(gpu::uniform_buffer(binding::scene, values.buffer));
     for (const gpu::Binding& map : maps.draw_bindings())
         result.bindings.push_back(map);
+    result.depth_write = from.depth_write;
+    if (object)
+        result.object.emplace(device, *object, technique.shaders, gpu::uniform_buffer(binding::scene, values.buffer));
     result.vertices = quad_corners;
     const Shape& shape = technique.manifest.shape;
     if (shape.kind == Shape::Kind::patches) {
@@ -165,15 +183,22 @@ Probe Renderer::State::probe(const DrawSetup& from) const {
 
     const Resolution size = view.resolution;
     const auto colours = to_image<std::array<float, 4>>(size, draw.read_target(0));
+    const auto shadows = to_image<std::array<float, 4>>(size, draw.read_target(2));
     const std::vector<std::uint32_t> work = draw.read_work();
     Probe probe{.hits = to_image<Hit>(size, draw.read_target(1)),
                 .colour = Image<std::array<float, 3>>(size),
                 .covered = Image<std::uint8_t>(size),
                 .work = Image<PixelWork>(size),
+                .light_visibility = Image<std::array<float, 3>>(size),
+                .shadow_taps = Image<std::uint32_t>(size),
+                .front = std::nullopt,
                 .stages = to_work(work.data())};
     for (std::size_t i = 0; i < size.pixels(); ++i) {
         const std::array<float, 4>& colour = colours.texels[i];
         probe.colour.texels[i] = {colour[0], colour[1], colour[2]};
+        const std::array<float, 4>& shadow = shadows.texels[i];
+        probe.light_visibility.texels[i] = {shadow[0], shadow[1], shadow[2]};
+        probe.shadow_taps.texels[i] = static_cast<std::uint32_t>(shadow[3]);
         const std::uint32_t* const values = &work[(1 + i) * work_values];
         probe.work.texels[i] = to_work(values);
         probe.covered.texels[i] = static_cast<std::uint8_t>((values[3] & covered_bit) != 0);
@@ -182,8 +207,9 @@ Probe Renderer::State::probe(const DrawSetup& from) const {
 }
 
 Renderer::Renderer(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
-                   const SceneOnDevice& scene, const View& view, const Lighting& lighting)
-    : state_(std::make_unique<State>(device, technique, parameters, scene, view, lighting)) {}
+                   const SceneOnDevice& scene, const View& view, const Lighting& lighting,
+                   const std::optional<SceneObject>& object)
+    : state_(std::make_unique<State>(device, technique, parameters, scene, view, lighting, object)) {}
 
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
@@ -194,7 +220,9 @@ Preparation Renderer::prepare(int samples) {
 }
 
 Probe Renderer::probe() {
-    return state_->probe(state_->setup);
+    Probe probe = state_->probe(state_->setup);
+    if (state_->object) show_object(probe, draw_timed(ColourTarget::linear_float));
+    return probe;
 }
 
 Probe Renderer::probe_from(const Camera& camera) {

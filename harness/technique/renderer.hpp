@@ -6,12 +6,14 @@
 #include "scene/hit.hpp"
 #include "scene/lighting.hpp"
 #include "scene/relief.hpp"
+#include "scene/scene_object.hpp"
 #include "technique/technique.hpp"
 
 #include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,11 +49,18 @@ struct PixelWork {
 /// One draw of the probed compilation.
 struct Probe {
     HitImage hits;
-    /// Linear RGB; the background where nothing was drawn.
+    /// Linear RGB, with the object where it is in front; the background where nothing was drawn.
     Image<std::array<float, 3>> colour;
     /// Pixels that ran a fragment of the technique (with misses, which are not in `hits`).
     Image<std::uint8_t> covered;
     Image<PixelWork> work;
+    /// How much of each light reaches the hit, in the lights' order; 1 without shadows and without a hit.
+    Image<std::array<float, 3>> light_visibility;
+    /// Taps of the shadows of each pixel, which are not in `work`.
+    Image<std::uint32_t> shadow_taps;
+    /// What is in front, as the timed compilation's depths decide it; `hits` are the relief's, whatever covers them.
+    /// Empty without an object.
+    std::optional<Image<Front>> front;
     /// Taps and texels of vertex and tessellation stages, summed over the draw.
     PixelWork stages;
 };
@@ -90,7 +99,8 @@ using ExecutableStatistics = std::map<std::string, std::map<std::string, double>
 class Renderer {
 public:
     Renderer(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
-             const SceneOnDevice& scene, const View& view, const Lighting& lighting);
+             const SceneOnDevice& scene, const View& view, const Lighting& lighting,
+             const std::optional<SceneObject>& object = std::nullopt);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
 

@@ -60,6 +60,11 @@ std::string unsupported_reason(const gpu::Device& device, const Technique& techn
     for (const std::string& feature : needed) {
         if (!info.has_feature(feature)) return fmt::format("{} lacks the feature {}", info.name, feature);
     }
+    if (technique.manifest.shape.kind == Shape::Kind::patches && view.self_shadow.mode != SelfShadow::Mode::off)
+        return "self-shadowing searches along the light's ray in the relief; real geometry has no such search (an "
+               "engine would give it a shadow map)";
+    if (technique.manifest.shape.kind == Shape::Kind::patches && view.depth_write != DepthWrite::on)
+        return "real geometry has its own depth, and no other";
     const int largest = std::max({view.resolution.width, view.resolution.height, height_map.width, height_map.height});
     if (largest > info.max_image_side)
         return fmt::format("an image would be {} texels on a side; {} has {}", largest, info.name, info.max_image_side);

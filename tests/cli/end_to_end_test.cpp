@@ -84,6 +84,50 @@ TEST_F(EndToEnd, SmokeRunsValidatesAndRepeats) {
     EXPECT_EQ(without_times(read_lines(path("second/cells.jsonl"))), without_times(cells));
 }
 
+// Shadows, depths and an object, measured, and repeated from run.json; real geometry says why it is left out.
+TEST_F(EndToEnd, ShadowsAndDepthsAreMeasured) {
+    Json json = tiny_configuration();
+    json["techniques"] = {"max_mip", "tessellation"};
+    json["axes"]["self_shadow"] = {"off", "hard"};
+    json["axes"]["depth_write"] = {"on", "off"};
+    json["axes"]["view_angle"] = 60;
+    json["axes"]["height_scale"] = 0.2;
+    json["object"] = {{"shape", "sphere"}, {"centre", {0, 0, -0.2}}, {"radius", 0.4}};
+    const Outcome outcome = reliefbench({"run", write_configuration("own.json", json), "-o", path("first")});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::vector<Json> cells = read_lines(path("first/cells.jsonl"));
+    std::size_t skipped = 0;
+    for (const Json& cell : cells) {
+        SCOPED_TRACE(cell.at("cell").get<std::string>());
+        const bool shadowed = cell.at("axes").at("self_shadow") == "hard";
+        const bool polygon_depth = cell.at("axes").at("depth_write") == "off";
+        if (cell.at("technique") == "tessellation" && (shadowed || polygon_depth)) {
+            EXPECT_EQ(cell.at("status"), "skipped");
+            EXPECT_THAT(cell.at("reason").get<std::string>(), HasSubstr("real geometry"));
+            ++skipped;
+            continue;
+        }
+        ASSERT_EQ(cell.at("status"), "ok");
+        const Json& error = cell.at("error");
+        EXPECT_EQ(error.at("shadow").is_null(), !shadowed);
+        EXPECT_EQ(cell.at("work").at("shadow_taps_mean").is_null(), !shadowed);
+        if (shadowed) {
+            EXPECT_GT(error.at("shadow").at("compared").get<int>(), 0);
+            EXPECT_GT(cell.at("work").at("shadow_taps_mean").get<double>(), 1);
+        }
+        if (polygon_depth) {
+            EXPECT_GT(error.at("wrong_surface").get<double>(), 0.02);
+        } else {
+            EXPECT_LT(error.at("wrong_surface").get<double>(), 0.02);
+        }
+    }
+    EXPECT_EQ(cells.size(), 8U);
+    EXPECT_EQ(skipped, 3U);
+    const Outcome again = reliefbench({"run", path("first/run.json"), "-o", path("second")});
+    ASSERT_EQ(again.code, 0) << again.err;
+    EXPECT_EQ(without_times(read_lines(path("second/cells.jsonl"))), without_times(cells));
+}
+
 TEST_F(EndToEnd, ARunRepeatsWithItsFiltersTechniquesAndHeightMap) {
     copy_technique("steep", "mine");
     RasterFile image;

@@ -257,7 +257,7 @@ TEST(CompareRuns, ErrorsAreComparedOnlyAgainstTheSameTruthAndPicturesOnlyUnderTh
     const Comparison lit = compare_one(base, changed);
     ASSERT_EQ(lit.cells[0].quality.changes.size(), 1U);
     EXPECT_EQ(lit.cells[0].quality.changes[0].field, "error.missed");
-    EXPECT_THAT(lit.notices, Contains(HasSubstr("the lighting differs")));
+    EXPECT_THAT(lit.notices, Contains(HasSubstr("the lighting or the object differs")));
     changed.run.run["configuration"]["truth"]["kind"] = "mesh";
     const Comparison other = compare_one(base, changed);
     EXPECT_TRUE(other.cells[0].quality.changes.empty());

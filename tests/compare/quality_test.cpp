@@ -20,6 +20,8 @@ CellResult result() {
     errors.outside_quad_pixels = 12;
     errors.outside_quad_covered = 0.5;
     errors.coverage_iou = 0.98;
+    errors.shadow = CellResult::ShadowErrors{0.02, 0.01, 0.015, 64000, 0.001};
+    errors.wrong_surface = 0.003;
     result.error = errors;
     result.image = {0.1, 30, 0.9, 0.03};
     result.motion = CellResult::Motion{CellResult::MotionFigure{0.5, 2, 8}, CellResult::MotionFigure{0.1, 0.2, 0.3},
@@ -73,6 +75,11 @@ TEST(Quality, EachFieldHasItsDirection) {
     expect_one([](CellResult& r) { r.error->outside_quad_covered = 0.6; }, "error.outside_quad.covered", better);
     expect_one([](CellResult& r) { r.error->compared = 64000; }, "error.compared", same);
     expect_one([](CellResult& r) { r.error->outside_quad_pixels = 13; }, "error.outside_quad.pixels", same);
+    expect_one([](CellResult& r) { r.error->wrong_surface = 0; }, "error.wrong_surface", better);
+    expect_one([](CellResult& r) { r.error->shadow->mean = 0.03; }, "error.shadow.mean", worse);
+    expect_one([](CellResult& r) { r.error->shadow->false_shadow = 0; }, "error.shadow.false_shadow", better);
+    expect_one([](CellResult& r) { r.error->shadow->missed_shadow = 0.02; }, "error.shadow.missed_shadow", worse);
+    expect_one([](CellResult& r) { r.work->shadow_taps_mean = 9; }, "work.shadow_taps_mean", same);
     expect_one([](CellResult& r) { r.image->psnr = 31; }, "image.psnr", better);
     expect_one([](CellResult& r) { r.image->ssim = 0.8; }, "image.ssim", worse);
     expect_one([](CellResult& r) { r.image->flip = 0.2; }, "image.flip", worse);

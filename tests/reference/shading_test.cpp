@@ -20,7 +20,8 @@ TEST(Shading, OfALightOverhead) {
     // Albedo · (0.2 + 1 · light) + 0.15 · light, seen along the mirror direction: N·Hv = 1.
     expect_colour(shade(lighting, {0.5, 0.4, 0.8}, up, up, 0), {0.6 + 0.15, 0.28 + 0.075, 0.36 + 0.0375});
     // Half of the light arrives: half of the diffuse and specular light, all of the ambient.
-    expect_colour(shade(lighting, {0.5, 0.4, 0.8}, up, up, 0, 0.5), {0.35 + 0.075, 0.18 + 0.0375, 0.26 + 0.01875});
+    expect_colour(shade(lighting, {0.5, 0.4, 0.8}, up, up, 0, glm::dvec3(0.5)),
+                  {0.35 + 0.075, 0.18 + 0.0375, 0.26 + 0.01875});
 }
 
 TEST(Shading, OfASlantedLight) {

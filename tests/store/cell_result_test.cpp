@@ -27,7 +27,7 @@ CellResult full_result() {
     result.throttled_rounds = 3;
     result.prepare_ms = 0.75;
     result.prepare_bytes = 87381;
-    result.work = {17.5, 18, 70, 16, 16, 0.25, 65536};
+    result.work = {17.5, 18, 70, 16, 16, 0.25, 65536, 21.5, 31};
     result.pipeline["fragment_shader_invocations"] = 65536;
     result.executable["fragment"]["register_count"] = 40;
     CellResult::Errors errors;
@@ -40,6 +40,8 @@ CellResult full_result() {
     errors.outside_quad_pixels = 12;
     errors.outside_quad_covered = 0.5;
     errors.coverage_iou = 0.9;
+    errors.shadow = CellResult::ShadowErrors{0.02, 0.01, 0.015, 64000, 0.001};
+    errors.wrong_surface = 0.003;
     result.error = errors;
     result.image = CellResult::ImageFields{0.1, 30, 0.9, 0.03};
     result.motion = CellResult::Motion{CellResult::MotionFigure{0.5, 2, 8}, {}, 500000, 12, 700};
@@ -63,7 +65,7 @@ TEST(CellResultJson, HasEveryFieldWhereTheFormatSays) {
         },
         "prepare": {"ms": 0.75, "bytes": 87381},
         "work": {"taps_mean": 17.5, "taps_p95": 18.0, "texels_mean": 70.0, "steps_mean": 16.0, "steps_p95": 16.0,
-                 "unconverged": 0.25, "covered_pixels": 65536},
+                 "unconverged": 0.25, "covered_pixels": 65536, "shadow_taps_mean": 21.5, "shadow_taps_p95": 31.0},
         "pipeline": {"fragment_shader_invocations": 65536},
         "executable": {"fragment": {"register_count": 40.0}},
         "error": {
@@ -72,7 +74,9 @@ TEST(CellResultJson, HasEveryFieldWhereTheFormatSays) {
             "normal_deg": {"mean": 1.0, "rms": 2.0, "p50": 3.0, "p95": 4.0, "p99": 5.0, "max": 6.0},
             "compared": 65000, "missed": 0.0625, "false_hits": 0.125,
             "outside_quad": {"pixels": 12, "covered": 0.5},
-            "coverage_iou": 0.9
+            "coverage_iou": 0.9, "wrong_surface": 0.003,
+            "shadow": {"mean": 0.02, "false_shadow": 0.01, "missed_shadow": 0.015, "compared": 64000,
+                       "truth_standard_error": 0.001}
         },
         "image": {"flip": 0.1, "psnr": 30.0, "ssim": 0.9, "rmse": 0.03},
         "motion": {"texels": {"mean": 0.5, "p95": 2.0, "max": 8.0}, "flip": null, "compared": 500000, "hit_once": 12,
@@ -112,6 +116,17 @@ TEST(CellResultJson, RunsFromBeforeStoppingRulesAndMotionAreRead) {
     EXPECT_FALSE(result.stop);
     EXPECT_FALSE(result.motion);
     EXPECT_EQ(result.time.at("draw").n, 15U);
+}
+
+TEST(CellResultJson, RunsFromBeforeShadowsAndObjectsAreRead) {
+    Json json = to_json(full_result());
+    json["work"].erase("shadow_taps_mean");
+    json["work"].erase("shadow_taps_p95");
+    json["error"].erase("shadow");
+    json["error"].erase("wrong_surface");
+    const CellResult result = parse_cell_result(json, "cells.jsonl");
+    EXPECT_FALSE(result.work->shadow_taps_mean);
+    EXPECT_FALSE(result.error->shadow);
 }
 
 TEST(CellResultJson, WhatIsUndefinedIsNullAndReadsBackEmpty) {

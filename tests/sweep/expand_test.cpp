@@ -99,7 +99,9 @@ TEST(Expansion, IdsNameEveryAxisThatIsNotAtItsDefault) {
     EXPECT_EQ(axes_to_json(cells[0].view).dump(),
               R"({"heightmap":"rock","heightmap_size":"512x128","height_format":"r32f","view_angle":12.5,)"
               R"("azimuth":22.5,"projection":"perspective","distance":2.0,"fov":60.0,"height_scale":0.1,)"
-              R"("tiling":4.0,"boundary":"repeat","resolution":"640x480"})");
+              R"("tiling":4.0,"boundary":"repeat","resolution":"640x480","self_shadow":"off","soft_shadow":null,)"
+              R"("hard_shadow_bias":null,"dykhta_bias":null,"shadow_min_steps":null,"shadow_max_steps":null,)"
+              R"("shadow_softening":null,"depth_write":"on"})");
     EXPECT_EQ(parameters_to_json(cells[0].parameters).dump(), R"({"bias":0.25,"factor":16})");
     EXPECT_EQ(cell_id(fake_techniques()[3], cells[0].parameters, cells[0].view), cells[0].id);
 }
@@ -110,6 +112,32 @@ TEST(Expansion, DefaultsThatAreSpelledOutMakeTheSameIds) {
         "distance": 1.5, "fov": 45, "height_scale": 0.05, "tiling": 1, "boundary": "clip", "resolution": "256x256",
         "max_steps": 32.0, "min_steps": 8, "adaptive": false}})")),
                 ElementsAre("march | heightmap=rock"));
+}
+
+// What one way of shadowing has no use for makes no second view.
+TEST(Expansion, SettingsOfShadowsBelongToTheirMethod) {
+    const char* const swept = R"({"techniques": ["plain"], "axes": {"heightmap": "rock", "self_shadow": %s,
+        "soft_shadow": %s, "hard_shadow_bias": [0.01, 0.02], "dykhta_bias": [0.05, 0.1], "shadow_min_steps": 15,
+        "shadow_max_steps": [30, 60], "shadow_softening": [0.58, 1]}})";
+    const auto ids_with = [&](const std::string& mode, const std::string& method) {
+        std::string text = swept;
+        text.replace(text.find("%s"), 2, mode);
+        text.replace(text.find("%s"), 2, method);
+        return ids(expand_text(text));
+    };
+    const std::string plain = "plain | heightmap=rock";
+    EXPECT_THAT(ids_with(R"("off")", R"(["dykhta", "tatarchuk"])"), ElementsAre(plain));
+    EXPECT_THAT(ids_with(R"("hard")", R"(["dykhta", "tatarchuk"])"),
+                ElementsAre(plain + " self_shadow=hard", plain + " self_shadow=hard shadow_max_steps=60",
+                            plain + " self_shadow=hard hard_shadow_bias=0.02",
+                            plain + " self_shadow=hard hard_shadow_bias=0.02 shadow_max_steps=60"));
+    EXPECT_THAT(ids_with(R"("soft")", R"("dykhta")"),
+                ElementsAre(plain + " self_shadow=soft", plain + " self_shadow=soft shadow_max_steps=60",
+                            plain + " self_shadow=soft dykhta_bias=0.1",
+                            plain + " self_shadow=soft dykhta_bias=0.1 shadow_max_steps=60"));
+    EXPECT_THAT(ids_with(R"("soft")", R"("tatarchuk")"),
+                ElementsAre(plain + " self_shadow=soft soft_shadow=tatarchuk",
+                            plain + " self_shadow=soft soft_shadow=tatarchuk shadow_softening=1"));
 }
 
 TEST(Expansion, EveryAxisOfAViewIsAReservedName) {

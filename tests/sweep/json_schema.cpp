@@ -39,6 +39,10 @@ public:
         : root_(root), schema_(schema), value_(value), path_(std::move(path)) {}
 
     std::vector<std::string> complaints() {
+        if (schema_.is_boolean()) {
+            require(schema_.get<bool>(), "false");
+            return found_;
+        }
         for (const auto& [keyword, argument] : schema_.items()) {
             if (!is_annotation(keyword)) check(keyword, argument);
         }

@@ -56,6 +56,7 @@ TEST(Schema, HasTheKeysThatTheParserTakes) {
     EXPECT_THAT(property_names("/$defs/lighting"), UnorderedElementsAreArray(keys::lighting()));
     EXPECT_THAT(property_names("/$defs/light"), UnorderedElementsAreArray(keys::light()));
     EXPECT_THAT(property_names("/$defs/fog"), UnorderedElementsAreArray(keys::fog()));
+    EXPECT_THAT(property_names("/$defs/object"), UnorderedElementsAreArray(keys::object()));
     EXPECT_THAT(property_names("/$defs/motion"), UnorderedElementsAreArray(keys::motion()));
     EXPECT_THAT(property_names("/$defs/heightmap/oneOf/1"), UnorderedElementsAreArray(height_map_keys()));
     std::vector<std::string> axes{"sample_count"};
@@ -81,6 +82,8 @@ TEST(Schema, StatesTheDefaultsOfTheParser) {
         EXPECT_EQ(stated("/$defs/motion/properties/" + key), value) << key;
     }
     EXPECT_EQ(stated("/$defs/lighting/properties/shininess"), expanded["lighting"]["shininess"]);
+    EXPECT_EQ(stated("/$defs/object/properties/radius"), SceneObject{}.radius);
+    EXPECT_EQ(stated("/$defs/light/properties/angular_radius"), DirectionalLight{}.angular_radius);
     EXPECT_THAT(schema_complaints(root, root, expanded), IsEmpty());
 }
 
@@ -117,6 +120,20 @@ TEST(Schema, AgreesWithTheParserAboutValues) {
         {"/axes/projection", "\"orthographic\"", false},
         {"/axes/boundary", "[\"clip\", \"repeat\"]", true},
         {"/axes/boundary", "true", false},
+        {"/axes/self_shadow", "[\"off\", \"hard\", \"soft\"]", true},
+        {"/axes/self_shadow", "true", false},
+        {"/axes/soft_shadow", "[\"dykhta\", \"tatarchuk\"]", true},
+        {"/axes/soft_shadow", "\"pcf\"", false},
+        {"/axes/hard_shadow_bias", "[0, 1]", true},
+        {"/axes/hard_shadow_bias", "-0.1", false},
+        {"/axes/dykhta_bias", "1.5", false},
+        {"/axes/shadow_min_steps", "[1, 65536]", true},
+        {"/axes/shadow_min_steps", "0", false},
+        {"/axes/shadow_max_steps", "2.5", false},
+        {"/axes/shadow_softening", "0.58", true},
+        {"/axes/shadow_softening", "-1", false},
+        {"/axes/depth_write", "[\"on\", \"off\", \"conservative\"]", true},
+        {"/axes/depth_write", "true", false},
         {"/axes/sample_count", "[1, 256]", true},
         {"/axes/sample_count", "0", false},
         {"/axes/max_steps", "[1, 2]", true},
@@ -147,7 +164,17 @@ TEST(Schema, AgreesWithTheParserAboutValues) {
         {"/motion", "true", false},
         {"/lighting", R"({"lights": [], "fog": {"start": 0, "range": 0.5}, "ambient": [0, 0, 0]})", true},
         {"/lighting", R"({"lights": [{}, {}, {}, {}]})", false},
+        {"/lighting", R"({"lights": [{"angular_radius": 45}, {"angular_radius": 0}]})", true},
+        {"/lighting", R"({"lights": [{"angular_radius": 46}]})", false},
         {"/lighting", R"({"background": [0, 0]})", false},
+        {"/object", R"({"shape": "sphere", "centre": [0, -0.5, 0.1], "radius": 0.25, "colour": [0, 0, 1]})", true},
+        {"/object", R"({"shape": "box", "half_size": [0.5, 0.01, 0.2]})", true},
+        {"/object", R"({"radius": 0.25})", false},
+        {"/object", R"({"shape": "sphere", "half_size": [1, 1, 1]})", false},
+        {"/object", R"({"shape": "box", "radius": 0.25})", false},
+        {"/object", R"({"shape": "sphere", "radius": 0})", false},
+        {"/object", R"({"shape": "box", "half_size": [0.5, 0, 0.2]})", false},
+        {"/object", R"({"shape": "cone"})", false},
         {"/lighting", R"({"fog": {"range": 0}})", false},
     };
     const Json root = schema();

@@ -50,9 +50,11 @@ TEST_F(ShadingOnDevice, AgreesWithTheReference) {
             view.camera.azimuth = random.uniform(-180, 180);
             view.relief.tiling = 2;
             view.relief.height_scale = 0.1;
+            if (projection == Projection::parallel) view.self_shadow.mode = SelfShadow::Mode::hard;
             const Lighting lighting = random_lighting(random, lights);
             const Probe probe = make_renderer(device(), technique, scene, view, lighting).probe();
-            const Image<std::array<float, 3>> expected = shade_hits(probe.hits, map, albedo, view, lighting);
+            const Image<std::array<float, 3>> expected =
+                shade_hits(probe.hits, probe.light_visibility, map, albedo, view, lighting);
             for (std::size_t i = 0; i < expected.texels.size(); ++i) {
                 for (std::size_t channel = 0; channel < 3; ++channel)
                     ASSERT_NEAR(probe.colour.texels[i][channel], expected.texels[i][channel], 1.0 / 255)

@@ -1,0 +1,51 @@
+#include "metrics/shadow_errors.hpp"
+
+#include "scene/shading_normal.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <cassert>
+#include <cmath>
+
+namespace reliefbench {
+
+namespace {
+
+/// A difference in visibility that counts as a shadow where there is none, or none where there is one.
+constexpr double wrong_by = 0.5;
+
+}  // namespace
+
+ShadowErrors compare_shadows(const VisibilityImage& technique, const HitImage& technique_hits,
+                             const VisibilityImage& truth, const HitImage& truth_hits,
+                             const Image<std::uint8_t>& footprint, const HeightMap& map, const Relief& relief,
+                             const Lighting& lighting) {
+    assert(technique.size == truth.size && technique_hits.size == truth.size && truth_hits.size == truth.size &&
+           footprint.size == truth.size && lighting.lights.size() <= technique.texels.front().size());
+    const Image<std::array<float, 2>> derivatives = height_derivatives(map);
+    ShadowErrors errors;
+    std::size_t darker = 0;
+    std::size_t lighter = 0;
+    double sum = 0;
+    for (std::size_t pixel = 0; pixel < truth.texels.size(); ++pixel) {
+        const Hit& hit = truth_hits.texels[pixel];
+        if (footprint.texels[pixel] == 0 || !hit.is_hit() || !technique_hits.texels[pixel].is_hit()) continue;
+        const glm::dvec3 normal = shading_normal(derivatives, relief, hit.u, hit.v);
+        for (std::size_t light = 0; light < lighting.lights.size(); ++light) {
+            if (glm::dot(normal, lighting.lights[light].direction) <= 0) continue;
+            const double difference = static_cast<double>(technique.texels[pixel][light]) - truth.texels[pixel][light];
+            sum += std::abs(difference);
+            darker += difference <= -wrong_by ? 1 : 0;
+            lighter += difference >= wrong_by ? 1 : 0;
+            ++errors.compared;
+        }
+    }
+    if (errors.compared == 0) return errors;
+    const auto compared = static_cast<double>(errors.compared);
+    errors.mean = sum / compared;
+    errors.false_shadow = static_cast<double>(darker) / compared;
+    errors.missed_shadow = static_cast<double>(lighter) / compared;
+    return errors;
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "scene/height_map.hpp"
+#include "scene/hit.hpp"
+#include "scene/lighting.hpp"
+#include "scene/relief.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace reliefbench {
+
+/// How much of each light reaches each pixel's hit, by light; in [0, 1].
+using VisibilityImage = Image<std::array<float, 3>>;
+
+/// Of how much light a technique's shadows let through, against the truth's. Over the pixels of the footprint in which
+/// both hit, and in each over the lights that the truth's shading normal faces: on others a shadow is not seen.
+struct ShadowErrors {
+    /// Mean of |visibility − true visibility|.
+    double mean = 0;
+    /// Fractions of what is compared: darker or lighter than the truth by half of the light or more.
+    double false_shadow = 0;
+    double missed_shadow = 0;
+    /// Pixels and lights compared; without any, all errors are 0.
+    std::size_t compared = 0;
+};
+
+ShadowErrors compare_shadows(const VisibilityImage& technique, const HitImage& technique_hits,
+                             const VisibilityImage& truth, const HitImage& truth_hits,
+                             const Image<std::uint8_t>& footprint, const HeightMap& map, const Relief& relief,
+                             const Lighting& lighting);
+
+}  // namespace reliefbench

@@ -1,0 +1,212 @@
+#include "reference/light_visibility.hpp"
+
+#include "core/parallel.hpp"
+#include "reference/exact_tracer.hpp"
+#include "reference/scrambled_points.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr std::size_t pixels_per_task = 64;
+
+/// How much higher than a point its light's first hit must be to shadow it. Both lie on the surface to about 1e-15.
+constexpr double height_tolerance = 1e-9;
+
+/// Directions within the angular radius of a light, uniform over their solid angle.
+class LightDisc {
+public:
+    explicit LightDisc(const DirectionalLight& light)
+        : to_centre_(glm::normalize(light.direction)),
+          // 1 − cos r without cancellation.
+          height_(2 * std::pow(std::sin(glm::radians(light.angular_radius) / 2), 2)) {
+        const glm::dvec3 aside = std::abs(to_centre_.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+        tangent_ = glm::normalize(glm::cross(to_centre_, aside));
+        bitangent_ = glm::cross(to_centre_, tangent_);
+    }
+
+    const glm::dvec3& to_centre() const { return to_centre_; }
+
+    /// Of a point of the unit square.
+    glm::dvec3 direction(glm::dvec2 point) const {
+        const double below_pole = point.x * height_;
+        const double sine = std::sqrt(below_pole * (2 - below_pole));
+        const double turn = 2 * std::numbers::pi * point.y;
+        return to_centre_ * (1 - below_pole) + sine * (std::cos(turn) * tangent_ + std::sin(turn) * bitangent_);
+    }
+
+private:
+    glm::dvec3 to_centre_;
+    double height_;
+    glm::dvec3 tangent_;
+    glm::dvec3 bitangent_;
+};
+
+/// The hit of a pixel and one light: how many of its points every scrambling has lit.
+struct Samples {
+    std::size_t pixel = 0;
+    std::size_t light = 0;
+    std::vector<int> lit;
+    /// In each scrambling.
+    int points = 0;
+
+    double fraction() const {
+        double sum = 0;
+        for (const int each : lit)
+            sum += each;
+        return sum / points / static_cast<double>(lit.size());
+    }
+
+    bool is_in_penumbra() const { return fraction() > 0 && fraction() < 1; }
+
+    /// Of the fraction, from the scatter between scramblings.
+    double standard_error() const {
+        const double mean = fraction();
+        double squares = 0;
+        for (const int each : lit)
+            squares += std::pow(static_cast<double>(each) / points - mean, 2);
+        const auto scrambles = static_cast<double>(lit.size());
+        return std::sqrt(squares / (scrambles - 1) / scrambles);
+    }
+};
+
+class VisibilityTracer {
+public:
+    VisibilityTracer(const HitImage& hits, const HeightMap& map, const View& view, const Lighting& lighting)
+        : hits_(hits), map_(map), relief_(view.relief), tracer_(map, relief_) {
+        for (const DirectionalLight& light : lighting.lights)
+            discs_.emplace_back(light);
+    }
+
+    std::size_t lights() const { return discs_.size(); }
+
+    bool is_lit(std::size_t pixel, std::size_t light) const {
+        return reaches(point_of(pixel), discs_[light].to_centre());
+    }
+
+    /// Goes on to `points` in each scrambling.
+    void sample(Samples& samples, int points) const {
+        const Point point = point_of(samples.pixel);
+        const std::size_t scrambles = samples.lit.size();
+        const std::uint64_t seed = (samples.pixel * lights() + samples.light) * scrambles;
+        for (std::size_t scramble = 0; scramble < scrambles; ++scramble) {
+            for (int index = samples.points; index < points; ++index) {
+                const glm::dvec2 place = scrambled_sobol_point(static_cast<std::uint32_t>(index), seed + scramble);
+                samples.lit[scramble] += reaches(point, discs_[samples.light].direction(place)) ? 1 : 0;
+            }
+        }
+        samples.points = points;
+    }
+
+private:
+    struct Point {
+        glm::dvec3 place;
+        double h = 0;
+    };
+
+    Point point_of(std::size_t pixel) const {
+        const double u = hits_.texels[pixel].u;
+        const double v = hits_.texels[pixel].v;
+        const double h = map_.sample(relief_.tiling * u, relief_.tiling * v);
+        return {{u - 0.5, v - 0.5, (h - 1) * relief_.height_scale}, h};
+    }
+
+    bool reaches(const Point& point, const glm::dvec3& to_light) const {
+        if (to_light.z <= 0) return false;
+        const auto hit = tracer_.trace({point.place - to_light * (point.place.z / to_light.z), -to_light});
+        return !hit || hit->h <= point.h + height_tolerance;
+    }
+
+    const HitImage& hits_;
+    const HeightMap& map_;
+    Relief relief_;
+    ExactTracer tracer_;
+    std::vector<LightDisc> discs_;
+};
+
+void trace_hard(const VisibilityTracer& tracer, const HitImage& hits, LightVisibility& visibility) {
+    parallel_for(hits.texels.size(), pixels_per_task, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t pixel = begin; pixel < end; ++pixel) {
+            if (!hits.texels[pixel].is_hit()) continue;
+            for (std::size_t light = 0; light < tracer.lights(); ++light)
+                visibility.fractions.texels[pixel][light] = tracer.is_lit(pixel, light) ? 1.0F : 0.0F;
+        }
+    });
+}
+
+/// Every hit with the least number of points; returns those of the penumbra.
+std::vector<Samples> find_penumbra(const VisibilityTracer& tracer, const HitImage& hits, const LightSampling& sampling,
+                                   LightVisibility& visibility) {
+    const std::size_t tasks = (hits.texels.size() + pixels_per_task - 1) / pixels_per_task;
+    std::vector<std::vector<Samples>> found(tasks);
+    parallel_for(hits.texels.size(), pixels_per_task, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t pixel = begin; pixel < end; ++pixel) {
+            if (!hits.texels[pixel].is_hit()) continue;
+            for (std::size_t light = 0; light < tracer.lights(); ++light) {
+                Samples samples{pixel, light, std::vector<int>(static_cast<std::size_t>(sampling.scrambles)), 0};
+                tracer.sample(samples, sampling.least_points);
+                visibility.fractions.texels[pixel][light] = static_cast<float>(samples.fraction());
+                if (samples.is_in_penumbra()) found[begin / pixels_per_task].push_back(std::move(samples));
+            }
+        }
+    });
+    std::vector<Samples> penumbra;
+    for (std::vector<Samples>& task : found)
+        std::move(task.begin(), task.end(), std::back_inserter(penumbra));
+    return penumbra;
+}
+
+double mean_standard_error(const std::vector<Samples>& penumbra) {
+    double sum = 0;
+    for (const Samples& samples : penumbra)
+        sum += samples.standard_error();
+    return sum / static_cast<double>(penumbra.size());
+}
+
+void trace_soft(const VisibilityTracer& tracer, const HitImage& hits, const LightSampling& sampling,
+                LightVisibility& visibility) {
+    std::vector<Samples> penumbra = find_penumbra(tracer, hits, sampling, visibility);
+    if (penumbra.empty()) return;
+    // All of them, whatever their own error: to stop where chance has made it small would hide what is left.
+    for (int points = sampling.least_points;
+         points < sampling.most_points && mean_standard_error(penumbra) > sampling.standard_error;) {
+        points = std::min(2 * points, sampling.most_points);
+        parallel_for(penumbra.size(), pixels_per_task, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t index = begin; index < end; ++index)
+                tracer.sample(penumbra[index], points);
+        });
+    }
+    for (const Samples& samples : penumbra)
+        visibility.fractions.texels[samples.pixel][samples.light] = static_cast<float>(samples.fraction());
+    visibility.standard_error = mean_standard_error(penumbra);
+}
+
+}  // namespace
+
+LightVisibility trace_light_visibility(const HitImage& hits, const HeightMap& map, const View& view,
+                                       const Lighting& lighting, const LightSampling& sampling) {
+    assert(lighting.lights.size() <= 3 && sampling.scrambles > 1 && sampling.least_points <= sampling.most_points);
+    LightVisibility visibility;
+    visibility.fractions = Image<std::array<float, 3>>(hits.size, {1, 1, 1});
+    if (view.self_shadow.mode == SelfShadow::Mode::off || !lighting.enabled) return visibility;
+    const VisibilityTracer tracer(hits, map, view, lighting);
+    if (view.self_shadow.mode == SelfShadow::Mode::hard) {
+        trace_hard(tracer, hits, visibility);
+    } else {
+        trace_soft(tracer, hits, sampling, visibility);
+    }
+    return visibility;
+}
+
+}  // namespace reliefbench

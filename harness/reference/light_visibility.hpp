@@ -1,0 +1,43 @@
+#pragma once
+
+#include "scene/height_map.hpp"
+#include "scene/hit.hpp"
+#include "scene/lighting.hpp"
+#include "scene/relief.hpp"
+
+#include <array>
+#include <optional>
+
+namespace reliefbench {
+
+/// Numbers of scrambled Sobol points (scrambled_points.hpp) on a light's disc: so many in each of several independent
+/// scramblings, whose scatter tells the error.
+struct LightSampling {
+    int scrambles = 8;
+    /// In each scrambling: 256 rays at least.
+    int least_points = 32;
+    /// And 2048 at most: the number is doubled for the whole penumbra until its mean standard error is at most
+    /// `standard_error`.
+    int most_points = 256;
+    double standard_error = 1.0 / 255;
+};
+
+/// How much of each light reaches each hit past the relief.
+struct LightVisibility {
+    /// Of each light, in the lights' order, in [0, 1]; 1 where there is no hit and for lights that there are not.
+    Image<std::array<float, 3>> fractions;
+    /// Soft: the standard error of the mean over scramblings, averaged over every hit and light in the penumbra
+    /// (neither dark nor lit with the least number of rays). Empty where nothing is.
+    std::optional<double> standard_error;
+};
+
+/// The light ray of a direction through a point enters the relief from the light's side and is traced exactly
+/// (ExactTracer); the point is lit when that meets the sheet nowhere before it. So back faces are transparent, and what
+/// lies outside of a clipped patch shadows nothing. A direction that does not rise above the polygon brings no light.
+/// `SelfShadow::Mode::hard`: the one direction to the light. `soft`: the fraction of directions within the light's
+/// angular radius, uniform over their solid angle. `off`, and lighting that is off: all 1. A hit stands for the surface
+/// over its (u, v), whatever its h.
+LightVisibility trace_light_visibility(const HitImage& hits, const HeightMap& map, const View& view,
+                                       const Lighting& lighting, const LightSampling& sampling = {});
+
+}  // namespace reliefbench

@@ -1,0 +1,130 @@
+#ifndef RELIEFBENCH_SELF_SHADOW_GLSL
+#define RELIEFBENCH_SELF_SHADOW_GLSL
+
+// How much of each light reaches a point of the relief past the relief itself: the methods of
+// harness/scene/self_shadow.hpp, over the technique's own trace() where it marches.
+
+#include "relief.glsl"
+#include "scene.glsl"
+
+layout(constant_id = 7) const float self_shadow_bias = 0.0;
+layout(constant_id = 8) const int self_shadow_min_steps = 1;
+layout(constant_id = 9) const int self_shadow_max_steps = 1;
+layout(constant_id = 10) const float self_shadow_softening = 0.0;
+
+// Dykhta's lighting raises the factor to this power.
+const float dykhta_contrast = 4.0;
+
+// Of the DirectX SDK's sample: where along the light's way the heights are taken, and how much each one counts.
+const int tatarchuk_taps = 7;
+const float tatarchuk_distances[tatarchuk_taps] = float[](0.88, 0.77, 0.66, 0.55, 0.44, 0.33, 0.22);
+const float tatarchuk_weights[tatarchuk_taps] = float[](1.0, 2.0, 4.0, 6.0, 8.0, 10.0, 12.0);
+// What stays of the light in its deepest shadow.
+const float tatarchuk_least = 0.4;
+
+// Nothing beyond the border of a clipped patch shadows it.
+bool casts_shadow(vec2 uv) { return relief_repeats || inside_patch(uv / scene.tiling); }
+
+// More layers the lower the light stands (Dykhta 2013).
+float shadow_layers(vec3 to_light) {
+    return mix(float(self_shadow_max_steps), float(self_shadow_min_steps), to_light.z);
+}
+
+// Where a ray from the light enters the relief that is there: at h = 1, or through the side of a clipped patch.
+float enter_relief(ReliefRay ray, float s_point) {
+    if (relief_repeats) return 0.0;
+    vec2 side = vec2(greaterThan(-ray.max_offset, vec2(0.0))) * scene.tiling;
+    // Of a ray along an axis the other one's quotient is infinite or, on the border itself, no number: neither counts.
+    vec2 s = (side - ray.uv) / ray.max_offset;
+    float first = max(ray.max_offset.x == 0.0 ? 0.0 : s.x, ray.max_offset.y == 0.0 ? 0.0 : s.y);
+    return clamp(first, 0.0, s_point);
+}
+
+// The harness's own search from `s_first` towards the point, in uniform layers: whether the ray passes from above the
+// surface to beneath it before `s_end`.
+bool march_to_point(ReliefRay ray, float s_first, float s_point, float s_end) {
+    int layers = max(1, int(shadow_layers(ray.to_eye)));
+    bool above = s_first == 0.0;
+    for (int i = 0; i < layers; ++i) {
+        float s = mix(s_first, s_point, float(i) / float(layers));
+        if (s >= s_end) return false;
+        bool beneath = tap_height(point_on_ray(ray, s)) > 1.0 - s;
+        if (above && beneath) return true;
+        above = !beneath;
+    }
+    return false;
+}
+
+// 1 where the ray of the light through the point meets nothing before it, else 0.
+float hard_visibility(ReliefRay ray, float s_point) {
+    float s_end = s_point - self_shadow_bias;
+    if (s_end <= 0.0) return 1.0;
+    float s_first = enter_relief(ray, s_point);
+#ifdef RELIEFBENCH_OWN_MARCH
+    // A technique's search knows only rays that enter from above.
+    if (s_first <= 0.0) {
+        Trace found = trace(ray);
+        if (found.kind == trace_miss || !found.converged) return 1.0;
+        float s_found = found.kind == trace_on_ray ? found.s : 1.0 - found.h;
+        return s_found < s_end ? 0.0 : 1.0;
+    }
+#endif
+    return march_to_point(ray, s_first, s_point, s_end) ? 0.0 : 1.0;
+}
+
+// Dykhta 2013: from the point, lifted by the bias, towards the light in layers. What lies beneath the surface counts by
+// its depth under it, and the less the farther away it is; the most of it is the shadow.
+float dykhta_visibility(ReliefRay ray, vec2 uv, float s_point) {
+    float s_start = s_point - self_shadow_bias;
+    if (s_start <= 0.0) return 1.0;
+    float layers = shadow_layers(ray.to_eye);
+    float shadow = 0.0;
+    for (float i = 1.0; i < layers; ++i) {
+        float risen = s_start * i / layers;
+        vec2 place = uv - risen * ray.max_offset;
+        if (!casts_shadow(place)) break;
+        float beneath = (s_start - risen) - (1.0 - tap_height(place));
+        shadow = max(shadow, beneath * (1.0 - i / layers));
+    }
+    return pow(1.0 - shadow, dykhta_contrast);
+}
+
+// Tatarchuk 2006, as in the DirectX SDK's sample: the highest of a few heights above the light's way, which rises by 1
+// within the light's own offset, not divided by its z.
+float tatarchuk_visibility(ReliefRay ray, vec2 uv, float h) {
+    vec2 full_offset = ray.height * ray.to_eye.xy;
+    float shadow = 0.0;
+    for (int i = 0; i < tatarchuk_taps; ++i) {
+        vec2 blocker = uv + tatarchuk_distances[i] * full_offset;
+        if (!casts_shadow(blocker)) continue;
+        float above = tap_height(blocker) - h - tatarchuk_distances[i];
+        shadow = max(shadow, above * tatarchuk_weights[i] * self_shadow_softening);
+    }
+    return clamp(mix(tatarchuk_least, 1.0, 1.0 - shadow), 0.0, 1.0);
+}
+
+// Of the light from `to_light` at the surface over texture coordinates `uv`, whose height is `h`.
+float visibility_of_light(vec3 to_light, vec2 uv, float h) {
+    // The ground that the relief is sunk into is opaque.
+    if (to_light.z <= 0.0) return 0.0;
+    float height = scene.tiling * scene.height_scale;
+    vec2 max_offset = -height * to_light.xy / to_light.z;
+    float s_point = 1.0 - h;
+    ReliefRay ray = ReliefRay(uv - s_point * max_offset, max_offset, to_light, height);
+    if (self_shadow == self_shadow_hard) return hard_visibility(ray, s_point);
+    if (self_shadow == self_shadow_dykhta) return dykhta_visibility(ray, uv, s_point);
+    return tatarchuk_visibility(ray, uv, h);
+}
+
+// By light, at the surface over patch coordinates: where a technique's answer lies beside the surface, its shadow is
+// that of the surface there, as its colour and normal are.
+vec3 light_visibility(vec2 patch_uv) {
+    vec3 visibility = vec3(1.0);
+    if (self_shadow == self_shadow_off || !lighting_enabled) return visibility;
+    vec2 uv = scene.tiling * patch_uv;
+    float h = tap_height(uv);
+    for (int i = 0; i < scene.light_count; ++i) visibility[i] = visibility_of_light(scene.light_direction[i].xyz, uv, h);
+    return visibility;
+}
+
+#endif
