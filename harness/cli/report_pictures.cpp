@@ -16,6 +16,9 @@ namespace {
 constexpr int largest_side = 512;
 constexpr std::string_view extension = ".png";
 constexpr std::string_view truth_kind = "truth";
+constexpr std::string_view main_map = "uv_error";
+/// legend.<map>.png says what the colours of a map mean.
+constexpr const char* legend_stem = "legend";
 
 /// Names of the PNG files in the run's folder of images, without their extension; sorted.
 std::set<std::string> image_names(const std::filesystem::path& images) {
@@ -72,48 +75,109 @@ std::vector<std::size_t> order_of_interest(const std::vector<CellResult>& cells)
     return order;
 }
 
-void add_cell(const std::filesystem::path& stem, const std::vector<std::string>& kinds, std::size_t cell,
-              PagePictures& pictures, CellPictures& of_run) {
-    const auto read = [&](const std::string& kind) {
-        const std::string suffix = kind.empty() ? "" : "." + kind;
-        return read_picture(stem.string() + suffix + std::string(extension), of_run.step);
-    };
-    std::optional<std::size_t> truth;
-    if (std::find(kinds.begin(), kinds.end(), truth_kind) != kinds.end()) {
-        truth = pictures.add(read(std::string(truth_kind)));
-        of_run.truth[cell] = static_cast<int>(*truth);
+/// A cell's files.
+struct CellFiles {
+    std::size_t cell = 0;
+    std::filesystem::path stem;
+    std::vector<std::string> maps;
+    bool has_truth = false;
+    bool has_technique = false;
+};
+
+/// The error that most people look at goes before the others.
+void put_main_map_first(std::vector<std::string>& maps) {
+    std::stable_partition(maps.begin(), maps.end(), [](const std::string& map) { return map == main_map; });
+}
+
+std::vector<CellFiles> files_by_interest(const StoredRun& run, const std::set<std::string>& names) {
+    std::vector<CellFiles> files;
+    for (const std::size_t cell : order_of_interest(run.run.cells)) {
+        CellFiles of_cell{cell, image_path(run.name, run.run.cells[cell].cell, ""), {}};
+        for (const std::string& kind : kinds_of(of_cell.stem.filename().string(), names)) {
+            if (kind.empty()) {
+                of_cell.has_technique = true;
+            } else if (kind == truth_kind) {
+                of_cell.has_truth = true;
+            } else {
+                of_cell.maps.push_back(kind);
+            }
+        }
+        put_main_map_first(of_cell.maps);
+        if (of_cell.has_technique || of_cell.has_truth || !of_cell.maps.empty()) files.push_back(std::move(of_cell));
     }
-    for (const std::string& kind : kinds) {
-        if (kind.empty()) {
-            of_run.technique[cell] = static_cast<int>(pictures.add(read(kind), truth));
-        } else if (kind != truth_kind) {
-            std::vector<int>& map = of_run.maps[kind];
-            map.resize(of_run.technique.size(), -1);
-            map[cell] = static_cast<int>(pictures.add(read(kind)));
+    return files;
+}
+
+std::filesystem::path file_of(const std::filesystem::path& stem, const std::string& kind) {
+    return stem.string() + (kind.empty() ? "" : "." + kind) + std::string(extension);
+}
+
+/// Adds to what is known of one run.
+class Collector {
+public:
+    Collector(std::size_t cells, PagePictures& pictures) : pictures_(pictures) {
+        of_run_.technique.assign(cells, -1);
+        of_run_.truth.assign(cells, -1);
+    }
+
+    void add_scene(const CellFiles& files) {
+        std::optional<std::size_t> truth;
+        if (files.has_truth) {
+            truth = pictures_.add(read_picture(file_of(files.stem, std::string(truth_kind)), of_run_.step));
+            of_run_.truth[files.cell] = static_cast<int>(*truth);
+        }
+        if (files.has_technique) {
+            const PagePicture picture = read_picture(file_of(files.stem, ""), of_run_.step);
+            of_run_.technique[files.cell] = static_cast<int>(pictures_.add(picture, truth));
         }
     }
-}
+
+    void add_map(const CellFiles& files, const std::string& map) {
+        std::vector<int>& positions = of_run_.maps[map];
+        positions.resize(of_run_.technique.size(), -1);
+        positions[files.cell] = static_cast<int>(pictures_.add(read_picture(file_of(files.stem, map), of_run_.step)));
+    }
+
+    void add_legends(const std::filesystem::path& images, const std::set<std::string>& names) {
+        for (const auto& [map, positions] : of_run_.maps) {
+            if (!names.contains(legend_stem + ('.' + map))) continue;
+            int as_it_is = 1;
+            of_run_.legends[map] =
+                static_cast<int>(pictures_.add(read_picture(file_of(images / legend_stem, map), as_it_is)));
+        }
+    }
+
+    void leave_out() { ++of_run_.left_out; }
+    CellPictures take() { return std::move(of_run_); }
+
+private:
+    PagePictures& pictures_;
+    CellPictures of_run_;
+};
 
 }  // namespace
 
 CellPictures collect_pictures(const StoredRun& run, std::size_t most_bytes, PagePictures& pictures) {
-    const std::vector<CellResult>& cells = run.run.cells;
-    CellPictures of_run;
-    of_run.technique.assign(cells.size(), -1);
-    of_run.truth.assign(cells.size(), -1);
-    const std::set<std::string> names = image_names(std::filesystem::path(run.name) / "images");
-    if (names.empty()) return of_run;
-    for (const std::size_t cell : order_of_interest(cells)) {
-        const std::filesystem::path stem = image_path(run.name, cells[cell].cell, "");
-        const std::vector<std::string> kinds = kinds_of(stem.filename().string(), names);
-        if (kinds.empty()) continue;
-        if (pictures.bytes() < most_bytes) {
-            add_cell(stem, kinds, cell, pictures, of_run);
-        } else {
-            ++of_run.left_out;
+    const std::filesystem::path images = std::filesystem::path(run.name) / "images";
+    const std::set<std::string> names = image_names(images);
+    const std::vector<CellFiles> files = files_by_interest(run, names);
+    Collector collector(run.run.cells.size(), pictures);
+    for (const CellFiles& of_cell : files) {
+        if (pictures.bytes() >= most_bytes) {
+            collector.leave_out();
+            continue;
+        }
+        collector.add_scene(of_cell);
+        if (!of_cell.maps.empty()) collector.add_map(of_cell, of_cell.maps.front());
+    }
+    // Further maps take what room the others leave.
+    for (const CellFiles& of_cell : files) {
+        for (std::size_t map = 1; map < of_cell.maps.size() && pictures.bytes() < most_bytes; ++map) {
+            collector.add_map(of_cell, of_cell.maps[map]);
         }
     }
-    return of_run;
+    collector.add_legends(images, names);
+    return collector.take();
 }
 
 }  // namespace reliefbench

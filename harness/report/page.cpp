@@ -20,6 +20,10 @@ Json pictures_to_json(const CellPictures& pictures) {
     for (const auto& [name, positions] : pictures.maps) {
         json["maps"][name] = positions;
     }
+    json["legends"] = Json::object();
+    for (const auto& [name, position] : pictures.legends) {
+        json["legends"][name] = position;
+    }
     json["step"] = pictures.step;
     json["left_out"] = pictures.left_out;
     return json;

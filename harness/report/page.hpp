@@ -17,6 +17,8 @@ struct CellPictures {
     std::vector<int> technique, truth;
     /// Error maps and others, by name.
     std::map<std::string, std::vector<int>> maps;
+    /// What the colours of a map mean, by its name.
+    std::map<std::string, int> legends;
     /// Every how many pixels were kept: 1 is all.
     int step = 1;
     /// Cells whose pictures are in the run's folder but did not fit into the page.

@@ -7,7 +7,10 @@
 #include <boost/archive/iterators/transform_width.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <unordered_map>
+#include <utility>
 
 namespace reliefbench {
 
@@ -55,40 +58,50 @@ Packing as_difference(const PagePicture& picture, const PagePicture& base, std::
     return make_packing({{"packing", "difference"}, {"base", base_at}}, difference, 0);
 }
 
-int brightness(const std::array<std::uint8_t, channels>& colour) {
-    return colour[0] + colour[1] + colour[2];
+/// 0xRRGGBB.
+using Colour = std::uint32_t;
+
+Colour colour_at(const PagePicture& picture, std::size_t pixel) {
+    const std::uint8_t* rgb = &picture.rgb[channels * pixel];
+    return static_cast<Colour>(rgb[0]) << 16 | static_cast<Colour>(rgb[1]) << 8 | rgb[2];
+}
+
+std::array<std::uint8_t, channels> bytes_of(Colour colour) {
+    return {static_cast<std::uint8_t>(colour >> 16), static_cast<std::uint8_t>(colour >> 8),
+            static_cast<std::uint8_t>(colour)};
+}
+
+int brightness(Colour colour) {
+    const auto [red, green, blue] = bytes_of(colour);
+    return red + green + blue;
 }
 
 /// Colours in the order of their brightness, so that near values of a colour map have near indices. Empty where there
-/// are too many for two bytes.
+/// are too many to be worth while.
 std::optional<Packing> as_palette(const PagePicture& picture) {
-    constexpr std::size_t most_colours = 4096;
-    using Colour = std::array<std::uint8_t, channels>;
-    std::map<Colour, std::size_t> index;
     const std::size_t pixels = picture.rgb.size() / channels;
-    const auto colour_of = [&](std::size_t pixel) {
-        return Colour{picture.rgb[channels * pixel], picture.rgb[channels * pixel + 1],
-                      picture.rgb[channels * pixel + 2]};
-    };
+    const std::size_t most_colours = std::min<std::size_t>(4096, pixels / 8);
+    std::unordered_map<Colour, std::size_t> index;
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-        index.try_emplace(colour_of(pixel), 0);
+        index.try_emplace(colour_at(picture, pixel), 0);
         if (index.size() > most_colours) return std::nullopt;
     }
     std::vector<Colour> palette;
     for (const auto& [colour, unused] : index) {
         palette.push_back(colour);
     }
-    std::stable_sort(palette.begin(), palette.end(),
-                     [](const Colour& a, const Colour& b) { return brightness(a) < brightness(b); });
+    std::sort(palette.begin(), palette.end(),
+              [](Colour a, Colour b) { return std::pair(brightness(a), a) < std::pair(brightness(b), b); });
     Bytes colours;
     for (std::size_t at = 0; at < palette.size(); ++at) {
         index[palette[at]] = at;
-        colours.insert(colours.end(), palette[at].begin(), palette[at].end());
+        const auto bytes = bytes_of(palette[at]);
+        colours.insert(colours.end(), bytes.begin(), bytes.end());
     }
     constexpr std::size_t one_byte = 256;
     Bytes indices(palette.size() > one_byte ? 2 * pixels : pixels);
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-        const std::size_t at = index[colour_of(pixel)];
+        const std::size_t at = index[colour_at(picture, pixel)];
         indices[pixel] = static_cast<std::uint8_t>(at % one_byte);
         if (palette.size() > one_byte) indices[pixels + pixel] = static_cast<std::uint8_t>(at / one_byte);
     }
@@ -96,13 +109,12 @@ std::optional<Packing> as_palette(const PagePicture& picture) {
 }
 
 Packing smallest_packing(const PagePicture& picture, const PagePicture* base, std::size_t base_at) {
-    Packing best = as_rgb(picture);
-    const auto consider = [&](Packing&& other) {
-        if (other.bytes < best.bytes) best = std::move(other);
-    };
-    if (std::optional<Packing> palette = as_palette(picture)) consider(std::move(*palette));
-    if (base != nullptr) consider(as_difference(picture, *base, base_at));
-    return best;
+    // At most two bytes a pixel and a short palette are fewer than three: such a picture need not be tried without.
+    std::optional<Packing> palette = as_palette(picture);
+    Packing best = palette ? std::move(*palette) : as_rgb(picture);
+    if (base == nullptr) return best;
+    Packing difference = as_difference(picture, *base, base_at);
+    return difference.bytes < best.bytes ? std::move(difference) : std::move(best);
 }
 
 }  // namespace

@@ -33,6 +33,8 @@ export interface CellPictures {
   technique: number[];
   truth: number[];
   maps: Record<string, number[]>;
+  /** What a map's colours mean. */
+  legends: Record<string, number>;
   step: number;
   left_out: number;
 }

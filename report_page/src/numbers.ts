@@ -44,3 +44,13 @@ export function geometricMean(values: number[]): number {
   if (values.some((value) => value <= 0)) return values.reduce((sum, value) => sum + value, 0) / values.length;
   return Math.exp(values.reduce((sum, value) => sum + Math.log(value), 0) / values.length);
 }
+
+/** Least and greatest; of no values, 0 and 0. */
+export function extent(values: readonly number[]): [number, number] {
+  let [least, greatest] = [values[0] ?? 0, values[0] ?? 0];
+  for (const value of values) {
+    least = Math.min(least, value);
+    greatest = Math.max(greatest, value);
+  }
+  return [least, greatest];
+}

@@ -2,7 +2,7 @@
 
 import { type Cells, leadingNumber, numberOf, settingOf, techniqueOf, textOf, type ValueColumn } from "./data.ts";
 import type { Metric } from "./metrics.ts";
-import { geometricMean } from "./numbers.ts";
+import { extent, geometricMean } from "./numbers.ts";
 
 /** What stands on the horizontal axis. */
 export interface Abscissa {
@@ -34,8 +34,8 @@ function numericColumn(column: ValueColumn): boolean {
 }
 
 function scaleOf(values: number[]): "log" | "linear" {
-  const least = Math.min(...values);
-  return least > 0 && Math.max(...values) / least > 10 ? "log" : "linear";
+  const [least, greatest] = extent(values);
+  return least > 0 && greatest / least > 10 ? "log" : "linear";
 }
 
 function columnAbscissa(id: string, label: string, column: ValueColumn): Abscissa {

@@ -1,6 +1,6 @@
 import { type Cells, settingOf, techniqueOf, viewOf } from "./data.ts";
 import { hitsWithinLimit, type Metric } from "./metrics.ts";
-import { geometricMean } from "./numbers.ts";
+import { extent, geometricMean } from "./numbers.ts";
 
 /** A technique with parameters, over several views. */
 export interface SettingPoint {
@@ -55,8 +55,8 @@ export function settingPoints(
     points.push({
       setting,
       technique: techniqueOf(cells, members[0]!),
-      cost: mean ? geometricMean(costs) : Math.max(...costs),
-      error: mean ? errors.reduce((sum, value) => sum + value, 0) / errors.length : Math.max(...errors),
+      cost: mean ? geometricMean(costs) : extent(costs)[1],
+      error: mean ? errors.reduce((sum, value) => sum + value, 0) / errors.length : extent(errors)[1],
       counts: members.every((cell) => hitsWithinLimit(cells, cell)),
       cells: members,
     });

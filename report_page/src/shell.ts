@@ -126,6 +126,7 @@ export function startShell(data: PageData, body: HTMLElement): void {
     selection = filteredCells(cells, state);
     measured = measuredCells(cells, selection);
     const view = shown();
+    const focused = focusedSelector();
     for (const tab of tabs.querySelectorAll("button")) {
       if (tab.dataset["view"] === view.name) tab.setAttribute("aria-current", "page");
       else tab.removeAttribute("aria-current");
@@ -134,6 +135,7 @@ export function startShell(data: PageData, body: HTMLElement): void {
     fill(pinBar, pinElement(app, shell));
     if (main.firstElementChild !== view.element) main.replaceChildren(view.element);
     view.refresh();
+    if (focused !== null && document.activeElement === body) document.querySelector<HTMLElement>(focused)?.focus();
     document.title = `${view.title} – ${run().name} – reliefbench`;
   }
 
@@ -142,6 +144,20 @@ export function startShell(data: PageData, body: HTMLElement): void {
   addEventListener("hashchange", () => app.update(stateFromFragment(location.hash)));
   addEventListener("keydown", (event) => onKey(event, shell, help));
   build();
+}
+
+/** How to find the element that has the focus once its surroundings were made anew. */
+function focusedSelector(): string | null {
+  const element = document.activeElement;
+  if (!(element instanceof HTMLElement)) return null;
+  const within = (name: string) => {
+    const value = element.closest<HTMLElement>(`[${name}]`)?.getAttribute(name);
+    return value === null || value === undefined ? "" : `[${name}="${CSS.escape(value)}"]`;
+  };
+  const [filter, column] = [within("data-filter"), within("data-column")];
+  if (filter !== "") return `${filter} ${within("data-value")}`;
+  if (column !== "") return `${column} button`;
+  return within("data-verdict") || (element.closest(".pin-bar") ? `.pin-bar ${within("aria-label")}` : null);
 }
 
 /** The pinned cell with its figures, above every view. */
@@ -197,6 +213,11 @@ function takesKeys(target: EventTarget | null, key: string): boolean {
 function onKey(event: KeyboardEvent, shell: Shell, help: HTMLDialogElement): void {
   if (event.ctrlKey || event.metaKey || event.altKey || help.open) return;
   const { app } = shell;
+  // Also on a button of the view that was just clicked: space flips pictures, whatever has the focus.
+  if (event.target instanceof HTMLButtonElement && event.key === " " && shell.shown().key?.(event)) {
+    event.preventDefault();
+    return;
+  }
   if (takesKeys(event.target, event.key)) {
     if (event.key === "Escape") (event.target as HTMLElement).blur();
     return;

@@ -120,6 +120,10 @@ test("techniques and axes filter; x shows everything again", async () => {
   assert.equal(await shownCount(), "8");
   assert.deepEqual((await fragment()).getAll("techniques"), ["pom", "qdm"]);
   assert.deepEqual((await fragment()).getAll("axis.view_angle"), ["60"]);
+  await page.focus("[data-filter=technique] [data-value=qdm]");
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("Enter");
+  assert.equal(await shownCount(), "8", "the focus stays where it was");
   await page.keyboard.press("x");
   assert.equal(await shownCount(), "20");
   assert.equal((await fragment()).toString(), "");
@@ -169,6 +173,10 @@ test("pictures of a pinned cell: side by side, flip, slider, and the values of a
   await page.waitForSelector(".flip[data-shows=technique]");
   await page.keyboard.press(" ");
   await page.waitForSelector(".flip[data-shows=truth]");
+  await page.click("[data-value=side]");
+  await page.click("[data-value=flip]");
+  await page.keyboard.press(" ");
+  await page.waitForSelector(".flip[data-shows=technique]");
   await page.click("[data-value=slider]");
   await page.waitForSelector(".divider");
   const frame = await page.locator(".picture-frame").first().boundingBox();

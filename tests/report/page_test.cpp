@@ -184,10 +184,12 @@ TEST(PagePictures, EveryPackingGivesBackEachPixel) {
 
 TEST(PagePictures, IndicesAboveAByteAreTwoPlanes) {
     PagePictures pictures;
-    const PagePicture ramp = picture_of(32, 64, [](int at) {
-        return static_cast<std::uint8_t>(at % 3 == 0 ? at / 3 % 8 : at % 3 == 1 ? at / 24 % 256 : 0);
+    const PagePicture ramp = picture_of(64, 64, [](int at) {
+        const int pixel = at / 3;
+        return static_cast<std::uint8_t>(at % 3 == 0 ? pixel % 4 : at % 3 == 1 ? pixel / 4 % 128 : 0);
     });
     pictures.add(ramp);
+    EXPECT_EQ(pictures.json().at(0).at("packing"), "palette");
     EXPECT_EQ(unpacked(pictures.json(), 0), ramp.rgb);
 }
 

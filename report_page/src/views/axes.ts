@@ -1,12 +1,13 @@
 // Time and error over steps, view angle, height-map size and every other number that was swept.
 
 import type { App, View } from "../app.ts";
-import { axisStyle, Chart, currentInk, type Ink, logBase, logRange, type Option, powerText, tooltipStyle } from "../chart.ts";
+import { axisStyle, Chart, currentInk, type Ink, type Option, tooltipStyle } from "../chart.ts";
 import { settingElement } from "../describe.ts";
 import { choose, fill, h } from "../dom.ts";
 import { costMetrics, errorMetrics, type Metric, metricById, metricText, metricTitle } from "../metrics.ts";
-import { counted, significant } from "../numbers.ts";
+import { counted, extent, significant } from "../numbers.ts";
 import { markOf } from "../palette.ts";
+import { logBase, logRange, powerText } from "../scales.ts";
 import { type Abscissa, abscissas, type Line, type LinePoint, lines, mixesViews } from "../series.ts";
 
 const mostLines = 150;
@@ -78,7 +79,8 @@ function lineOption(app: App, all: Line[], x: Abscissa, metric: Metric, of: (poi
   const y = logRange(points.map(of).filter((value): value is number => value !== null));
   const shownX = points.filter((point) => of(point) !== null).map((point) => point.x);
   const xRange = logRange(shownX);
-  const span = Math.max(...shownX) - Math.min(...shownX) || 1;
+  const [leastX, greatestX] = extent(shownX);
+  const span = greatestX - leastX || 1;
   const room = 0.04;
   return {
     title: {
@@ -93,8 +95,8 @@ function lineOption(app: App, all: Line[], x: Abscissa, metric: Metric, of: (poi
       type: x.scale === "log" ? "log" : "value",
       ...(x.scale === "log" ? { logBase: logBase(xRange) } : {}),
       nameGap: ink.size * 2.3,
-      min: x.scale === "log" ? xRange.min : Number((Math.min(...shownX) - room * span).toPrecision(3)),
-      max: x.scale === "log" ? xRange.max : Number((Math.max(...shownX) + room * span).toPrecision(3)),
+      min: x.scale === "log" ? xRange.min : Number((leastX - room * span).toPrecision(3)),
+      max: x.scale === "log" ? xRange.max : Number((greatestX + room * span).toPrecision(3)),
       axisLabel: labelStyle(ink, x.scale === "log" ? powerText : (value) => String(Number(value.toPrecision(4)))),
     },
     yAxis: { ...axisStyle(ink, ""), type: "log", logBase: logBase(y), min: y.min, max: y.max, axisLabel: { ...labelStyle(ink, (value) => (y.hasZero && value === y.min ? "0" : powerText(value))), showMinLabel: y.hasZero } },

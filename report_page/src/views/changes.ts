@@ -1,11 +1,12 @@
 // What changed between runs, verdict by verdict.
 
 import type { App, View } from "../app.ts";
-import { axisStyle, Chart, currentInk, type Option, powerText, tooltipStyle } from "../chart.ts";
+import { axisStyle, Chart, currentInk, type Option, tooltipStyle } from "../chart.ts";
 import { type CellVerdict, type ComparisonResult, type Json, numberOf, type QualityChange, settingOf, type Verdict, viewOf } from "../data.ts";
 import { settingElement } from "../describe.ts";
 import { fill, h } from "../dom.ts";
-import { changeText, counted, significant } from "../numbers.ts";
+import { changeText, counted, extent, significant } from "../numbers.ts";
+import { powerText } from "../scales.ts";
 import { type Column, sortRows, Table } from "../table.ts";
 
 /** In the order in which they ask for attention. */
@@ -119,7 +120,7 @@ function ratioOption(app: App, cells: readonly CellVerdict[], result: Comparison
       })
       .filter((datum) => datum.value[0]! > 0);
   const all = verdicts.flatMap(data).map((datum) => Math.abs(Math.log(datum.value[1]!)));
-  const reach = Math.exp(1.08 * Math.max(2 * Math.log1p(threshold), ...all));
+  const reach = Math.exp(1.08 * Math.max(2 * Math.log1p(threshold), extent(all)[1]));
   return {
     grid: { left: ink.size * 5.5, right: ink.size * 2, top: ink.size * 1.5, bottom: ink.size * 4 },
     xAxis: { ...axisStyle(ink, "Draw time, ms"), type: "log", nameGap: ink.size * 2.2, axisLabel: { color: ink.muted, fontFamily: ink.font, fontSize: ink.size, formatter: powerText } },

@@ -1,7 +1,7 @@
 // Quality against cost: a scatter with the Pareto front.
 
 import type { App, View } from "../app.ts";
-import { axisStyle, Chart, currentInk, type Ink, logBase, type LogRange, logRange, type Option, powerText, tooltipStyle } from "../chart.ts";
+import { axisStyle, Chart, currentInk, type Ink, type Option, tooltipStyle } from "../chart.ts";
 import { axisColumn, axisValueText, type Cells, settingOf, sortedValues, techniqueOf, textOf, valueText, variedAxes, viewLabel, viewOf } from "../data.ts";
 import { cellTooltip, settingElement } from "../describe.ts";
 import { choose, fill, h, segments } from "../dom.ts";
@@ -10,6 +10,7 @@ import { counted } from "../numbers.ts";
 import { markOf } from "../palette.ts";
 import { paretoFront } from "../pareto.ts";
 import { reasonGroups } from "../filter.ts";
+import { logBase, type LogRange, logRange, powerText } from "../scales.ts";
 import { settingPoints } from "../settings.ts";
 import type { PointsMode } from "../state.ts";
 

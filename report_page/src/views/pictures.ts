@@ -10,6 +10,7 @@ interface Shown {
   truth: Picture | null;
   technique: Picture | null;
   map: Picture | null;
+  legend: Picture | null;
 }
 
 const modes: PictureMode[] = ["side", "slider", "flip"];
@@ -33,8 +34,8 @@ export function picturesView(app: App): View {
     ],
     (value) => app.update({ mode: value as PictureMode }),
   );
-  const names = Object.keys(app.run().pictures.maps);
-  const map = choose("Map", names.map((name) => ({ value: name, label: name.replaceAll("_", " ") })), "", (value) => app.update({ map: value }));
+  const names = mapNames(app);
+  const map = choose("Map", names.map((name) => ({ value: name, label: mapTitle(name) })), "", (value) => app.update({ map: value }));
   const stage = h("div", { class: "stage" });
   const lens = h("div", { class: "lens", attrs: { "aria-live": "off" } });
   const empty = h("div", {});
@@ -47,7 +48,7 @@ export function picturesView(app: App): View {
     lens,
   );
 
-  let shown: Shown = { truth: null, technique: null, map: null };
+  let shown: Shown = { truth: null, technique: null, map: null, legend: null };
   let showsTruth = false;
   let divider = 0.5;
   let pixel: Pixel | null = null;
@@ -68,9 +69,9 @@ export function picturesView(app: App): View {
     stage.dataset["mode"] = app.state.mode;
     if (app.state.mode === "side") fill(stage, ...sideBySide(shown, mapName(app), point));
     else if (app.state.mode === "slider") {
-      fill(stage, slider(shown, divider, (to) => (divider = to), point), paneOf("map", mapTitle(mapName(app)), shown.map, point));
+      fill(stage, slider(shown, divider, (to) => (divider = to), point), mapPane(shown, mapName(app), point));
     } else {
-      fill(stage, flipPane(shown, point, flip), paneOf("map", mapTitle(mapName(app)), shown.map, point));
+      fill(stage, flipPane(shown, point, flip), mapPane(shown, mapName(app), point));
       showFlip(stage, showsTruth);
     }
     point(pixel);
@@ -81,11 +82,13 @@ export function picturesView(app: App): View {
     const key = JSON.stringify([wanted, app.state.mode, mapName(app)]);
     if (key === drawn) return;
     drawn = key;
-    const get = (at: number) => (at < 0 ? null : pictures.get(at));
-    const [truth, technique, error] = await Promise.all([get(wanted.truth), get(wanted.technique), get(wanted.map)]);
+    const get = (at: number): Promise<Picture> | null => (at < 0 ? null : pictures.get(at));
+    const [truth, technique, error, legend] = await Promise.all(
+      [wanted.truth, wanted.technique, wanted.map, wanted.legend].map(get),
+    );
     if (key !== drawn) return;
-    shown = { truth, technique, map: error };
-    pixel ??= middle(technique ?? truth);
+    shown = { truth: truth ?? null, technique: technique ?? null, map: error ?? null, legend: legend ?? null };
+    pixel ??= middle(shown.technique ?? shown.truth);
     redraw();
   }
 
@@ -136,22 +139,30 @@ function middle(picture: Picture | null): Pixel | null {
   return picture === null ? null : { x: picture.width >> 1, y: picture.height >> 1 };
 }
 
+/** The error that most people look at goes first. */
+function mapNames(app: App): string[] {
+  const main = "uv_error";
+  return Object.keys(app.run().pictures.maps).sort((a, b) => Number(b === main) - Number(a === main));
+}
+
 function mapName(app: App): string {
   const { maps } = app.run().pictures;
-  return Object.hasOwn(maps, app.state.map) ? app.state.map : "error" in maps ? "error" : (Object.keys(maps)[0] ?? "");
+  return Object.hasOwn(maps, app.state.map) ? app.state.map : (mapNames(app)[0] ?? "");
 }
 
 function mapTitle(name: string): string {
-  return name === "error" || name === "" ? "Error map" : name.replaceAll("_", " ");
+  const words = name.replaceAll("_", " ").replace(/^uv\b/, "UV").replace(/^flip$/, "FLIP");
+  return words === "" ? "Error map" : words[0]!.toUpperCase() + words.slice(1);
 }
 
-function wantedPictures(app: App): { truth: number; technique: number; map: number } {
+function wantedPictures(app: App): { truth: number; technique: number; map: number; legend: number } {
   const { pictures } = app.run();
   const cell = app.pinned();
   return {
     truth: pictures.truth[cell] ?? -1,
     technique: pictures.technique[cell] ?? -1,
     map: pictures.maps[mapName(app)]?.[cell] ?? -1,
+    legend: pictures.legends[mapName(app)] ?? -1,
   };
 }
 
@@ -200,11 +211,21 @@ function paneOf(name: string, title: string, picture: Picture | null, point: (pi
   return h("figure", { class: "pane" }, h("figcaption", {}, title), frame);
 }
 
+function mapPane(shown: Shown, map: string, point: (pixel: Pixel) => void): HTMLElement {
+  const pane = paneOf("map", mapTitle(map), shown.map, point);
+  if (shown.legend !== null) {
+    const legend = h("canvas", { class: "legend", attrs: { role: "img", "aria-label": "What the colours mean" } });
+    draw(shown.legend, legend);
+    pane.append(legend);
+  }
+  return pane;
+}
+
 function sideBySide(shown: Shown, map: string, point: (pixel: Pixel) => void): HTMLElement[] {
   return [
     paneOf("truth", "Ground truth", shown.truth, point),
     paneOf("technique", "Technique", shown.technique, point),
-    paneOf("map", mapTitle(map), shown.map, point),
+    mapPane(shown, map, point),
   ];
 }
 

@@ -35,7 +35,12 @@ function flat(value: Json, path: string): [string, string][] {
     if (Array.isArray(value) && value.every((item) => item === null || typeof item !== "object")) return [[path, value.join(", ")]];
     return entries.flatMap(([key, item]) => flat(item, path === "" ? key : `${path} › ${key}`));
   }
-  return [[path, value === null ? "unknown" : String(value)]];
+  return [[path, scalarText(value)]];
+}
+
+function scalarText(value: Json): string {
+  if (value === null) return "unknown";
+  return typeof value === "number" ? String(Number(value.toPrecision(10))) : String(value);
 }
 
 function recordTable(name: string, value: Json): HTMLElement | null {
@@ -45,6 +50,6 @@ function recordTable(name: string, value: Json): HTMLElement | null {
     "table",
     { class: "figures" },
     h("caption", {}, name.replaceAll("_", " ")),
-    h("tbody", {}, ...rows.map(([key, text]) => h("tr", {}, h("td", {}, key.replaceAll("_", " ")), h("td", { class: "value" }, text)))),
+    h("tbody", {}, ...rows.map(([key, text]) => h("tr", {}, h("td", {}, key), h("td", { class: "value" }, text)))),
   );
 }
