@@ -12,8 +12,8 @@ export function significant(value: number | null | undefined, digits = 3): strin
 export function changeText(ratio: number | null | undefined): string {
   if (ratio === null || ratio === undefined || !Number.isFinite(ratio)) return "–";
   const change = 100 * (ratio - 1);
-  const decimals = Math.abs(change) >= 100 ? 0 : 1;
-  const text = Math.abs(change).toFixed(decimals);
+  const text = Math.abs(change).toFixed(Math.abs(change) >= 100 ? 0 : 1);
+  if (text === "0.0") return "0 %";
   return `${change < 0 ? "−" : "+"}${text} %`;
 }
 

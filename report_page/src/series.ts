@@ -50,6 +50,20 @@ function columnAbscissa(id: string, label: string, column: ValueColumn): Absciss
   };
 }
 
+const units: Record<string, string> = {
+  view_angle: "degrees",
+  azimuth: "degrees",
+  fov: "degrees",
+  heightmap_size: "texels",
+  resolution: "pixels",
+};
+
+function axisTitle(axis: string): string {
+  const name = axis.replaceAll("_", " ");
+  const unit = Object.hasOwn(units, axis) ? units[axis] : undefined;
+  return unit === undefined ? name : `${name} (${unit})`;
+}
+
 /** Steps first, then axes, then parameters that more than one value was measured of. */
 export function abscissas(cells: Cells): Abscissa[] {
   const all: Abscissa[] = [];
@@ -65,7 +79,7 @@ export function abscissas(cells: Cells): Abscissa[] {
     });
   }
   for (const [axis, column] of Object.entries(cells.axes)) {
-    if (numericColumn(column)) all.push(columnAbscissa(`axis.${axis}`, axis.replaceAll("_", " "), column));
+    if (numericColumn(column)) all.push(columnAbscissa(`axis.${axis}`, axisTitle(axis), column));
   }
   for (const [parameter, column] of Object.entries(cells.params)) {
     if (numericColumn(column)) all.push(columnAbscissa(`param.${parameter}`, parameter, column));

@@ -19,6 +19,7 @@ test("ratios read as changes, bytes with their unit", () => {
   assert.equal(changeText(1.0721), "+7.2 %");
   assert.equal(changeText(0.935), "−6.5 %");
   assert.equal(changeText(8), "+700 %");
+  assert.equal(changeText(0.9999), "0 %");
   assert.equal(changeText(null), "–");
   assert.equal(bytesText(87381), "85.3 KiB");
   assert.equal(bytesText(0), "0 B");

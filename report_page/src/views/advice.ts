@@ -184,15 +184,16 @@ function costWords(cost: Metric, value: number): string {
   return `at ${metricText(cost, value)}${cost.unit === "" ? ` ${cost.label.toLowerCase()}` : ""}`;
 }
 
-function factor(value: number, from: number): string | null {
-  return value > 0 && from > 0 ? significant(value / from, 2) : null;
+/** " (2.7 times the error)" */
+function timesText(value: number, from: number, what: string): string {
+  if (value <= 0 || from <= 0) return "";
+  const times = value / from;
+  return times < 1.05 ? ` (nearly the same ${what})` : ` (${significant(times, 2)} times the ${what})`;
 }
 
 function comparedWords(goal: Goal, winner: SettingPoint, other: SettingPoint, cost: Metric, error: Metric): string {
   if (goal.kind === "budget") {
-    const times = factor(other.error, winner.error);
-    return `${metricText(error, other.error)}${times === null ? "" : ` (${times} times the error)`} ${costWords(cost, other.cost)}`;
+    return `${metricText(error, other.error)}${timesText(other.error, winner.error, "error")} ${costWords(cost, other.cost)}`;
   }
-  const times = factor(other.cost, winner.cost);
-  return `${metricText(cost, other.cost)}${times === null ? "" : ` (${times} times the cost)`}, ${errorWords(error, other.error)}`;
+  return `${metricText(cost, other.cost)}${timesText(other.cost, winner.cost, "cost")}, ${errorWords(error, other.error)}`;
 }

@@ -6,7 +6,7 @@ import { type CellVerdict, type ComparisonResult, type Json, numberOf, type Qual
 import { settingElement } from "../describe.ts";
 import { fill, h } from "../dom.ts";
 import { changeText, counted, extent, significant } from "../numbers.ts";
-import { powerText } from "../scales.ts";
+import { logBase, logRange, powerText } from "../scales.ts";
 import { type Column, sortRows, Table } from "../table.ts";
 
 /** In the order in which they ask for attention. */
@@ -114,24 +114,30 @@ function ratioOption(app: App, cells: readonly CellVerdict[], result: Comparison
   const data = (verdict: Verdict) =>
     cells
       .filter((cell) => cell.verdict === verdict && cell.ratio !== null)
-      .map((cell) => {
-        const ms = numberOf(of, "time.draw.median_ms", index.get(cell.cell) ?? -1);
-        return { value: [ms ?? 0, cell.ratio!], cell };
-      })
-      .filter((datum) => datum.value[0]! > 0);
-  const all = verdicts.flatMap(data).map((datum) => Math.abs(Math.log(datum.value[1]!)));
-  const reach = Math.exp(1.08 * Math.max(2 * Math.log1p(threshold), extent(all)[1]));
+      .map((cell) => ({ value: [numberOf(of, "time.draw.median_ms", index.get(cell.cell) ?? -1) ?? 0, cell.ratio!], cell }))
+      .filter(({ value }) => value[0]! > 0);
+  const shown = verdicts.flatMap(data).map(({ value }) => value as [number, number]);
+  const x = logRange(shown.map(([ms]) => ms));
+  const reach = Math.exp(1.15 * extent([2 * Math.log1p(threshold), ...shown.map(([, ratio]) => Math.abs(Math.log(ratio)))])[1]);
+  const label = { color: ink.muted, fontFamily: ink.font, fontSize: ink.size, showMinLabel: false, showMaxLabel: false };
+  // Small changes read best on a linear scale; doubling and halving lie as far from 1.
+  const scale = reach < 2 ? { type: "value", min: 2 - reach, max: reach } : { type: "log", logBase: 2, min: 1 / reach, max: reach };
   return {
-    grid: { left: ink.size * 5.5, right: ink.size * 2, top: ink.size * 1.5, bottom: ink.size * 4 },
-    xAxis: { ...axisStyle(ink, "Draw time, ms"), type: "log", nameGap: ink.size * 2.2, axisLabel: { color: ink.muted, fontFamily: ink.font, fontSize: ink.size, formatter: powerText } },
+    grid: { left: ink.size * 6, right: ink.size * 2, top: ink.size * 1.5, bottom: ink.size * 4 },
+    xAxis: {
+      ...axisStyle(ink, "Draw time, ms"),
+      type: "log",
+      logBase: logBase(x),
+      min: x.min,
+      max: x.max,
+      nameGap: ink.size * 2.2,
+      axisLabel: { ...label, formatter: powerText },
+    },
     yAxis: {
       ...axisStyle(ink, "Change of time"),
-      type: "log",
-      logBase: 2,
-      min: 1 / reach,
-      max: reach,
-      nameGap: ink.size * 4,
-      axisLabel: { color: ink.muted, fontFamily: ink.font, fontSize: ink.size, formatter: (value: number) => changeText(value), showMinLabel: false, showMaxLabel: false },
+      ...scale,
+      nameGap: ink.size * 4.4,
+      axisLabel: { ...label, formatter: (value: number) => changeText(value) },
     },
     dataZoom: [
       { type: "inside", xAxisIndex: 0, filterMode: "none" },

@@ -33,6 +33,8 @@ interface Panel {
 }
 
 const mostPanels = 12;
+/** More are drawn smaller. */
+const manyMarks = 1500;
 /** Pixels, of a chart that is not yet on the page. */
 const usualWidth = 1000;
 /** So many views are told apart by panels of their own, unless something else is chosen. */
@@ -183,7 +185,10 @@ function noteTexts(app: App, panels: Panel[], wanted: number): string[] {
   }
   const hidden = panels.reduce((sum, panel) => sum + panel.marks.filter((mark) => !mark.counts).length, 0);
   if (hidden > 0) {
-    texts.push(`Faint: ${hidden} with missed and false hits above 0.5 % of the footprint, whose errors do not count; they are kept off the front.`);
+    const where = app.state.points === "cells" ? "" : " in one of their views";
+    texts.push(
+      `Faint: ${hidden} with missed and false hits above 0.5 % of the footprint${where}, whose errors do not count; they are kept off the front.`,
+    );
   }
   if (panels.length > 0) texts.push("Lower left is better. The line is the Pareto front: nothing is both cheaper and better.");
   return texts;
@@ -206,6 +211,7 @@ function chartOption(app: App, panels: Panel[], cost: Metric, error: Metric, cha
   const x = logRange(panels.flatMap((panel) => panel.marks.map((mark) => mark.cost)));
   const y = logRange(panels.flatMap((panel) => panel.marks.map((mark) => mark.error)));
   const grids = panels.map((panel, at) => panelGrid(ink, panel, at, columns, rows, chartWidth));
+  const many = panels.reduce((sum, panel) => sum + panel.marks.length, 0) > manyMarks;
   const isLeft = (at: number) => at % columns === 0;
   const isLowest = (at: number) => at + columns >= panels.length;
   return {
@@ -230,7 +236,7 @@ function chartOption(app: App, panels: Panel[], cost: Metric, error: Metric, cha
       formatter: (parameters: { data?: PlotDatum }) =>
         parameters.data?.mark ? markTooltip(app, parameters.data.mark, cost, error) : "",
     },
-    series: panels.flatMap((panel, at) => panelSeries(app, ink, panel, at, x, y)),
+    series: panels.flatMap((panel, at) => panelSeries(app, ink, panel, at, x, y, many)),
   };
 }
 
@@ -282,7 +288,15 @@ function logAxis(ink: Ink, name: string, range: LogRange, labelled: boolean): Re
   };
 }
 
-function panelSeries(app: App, ink: Ink, panel: Panel, at: number, x: LogRange, y: LogRange): object[] {
+function panelSeries(
+  app: App,
+  ink: Ink,
+  panel: Panel,
+  at: number,
+  x: LogRange,
+  y: LogRange,
+  many: boolean,
+): object[] {
   const place = (mark: Mark): [number, number] => [mark.cost > 0 ? mark.cost : x.zero, mark.error > 0 ? mark.error : y.zero];
   const byTechnique = new Map<string, PlotDatum[]>();
   for (const mark of panel.marks) {
@@ -291,7 +305,6 @@ function panelSeries(app: App, ink: Ink, panel: Panel, at: number, x: LogRange, 
     if (data) data.push(datum);
     else byTechnique.set(mark.technique, [datum]);
   }
-  const many = panel.marks.length > 1500;
   const scatters = [...byTechnique].map(([technique, data]) => {
     const mark = markOf(app.position(technique), app.theme);
     return {
@@ -316,8 +329,9 @@ function panelSeries(app: App, ink: Ink, panel: Panel, at: number, x: LogRange, 
     step: "end",
     symbol: "none",
     silent: true,
-    lineStyle: { color: ink.text, width: 1.5, opacity: 0.55 },
-    z: 2,
+    lineStyle: { color: ink.text, width: 1.5, opacity: many ? 0.9 : 0.55 },
+    // Under few points, over a cloud of them.
+    z: many ? 4 : 2,
   };
   return [front, ...scatters, pinRing(app, ink, panel, at, place)];
 }
@@ -335,7 +349,7 @@ function pinRing(app: App, ink: Ink, panel: Panel, at: number, place: (mark: Mar
     symbolSize: ink.size * 1.9,
     itemStyle: { color: "transparent", borderColor: ink.accent, borderWidth: 2.5 },
     silent: true,
-    z: 4,
+    z: 5,
   };
 }
 
