@@ -1,5 +1,7 @@
 #include "cli/report_pictures.hpp"
 
+#include "picture/colour_map.hpp"
+#include "picture/pixel_map.hpp"
 #include "report/quality_cost.hpp"
 #include "scene/image_file.hpp"
 
@@ -42,6 +44,10 @@ std::vector<std::string> kinds_of(const std::string& name, const std::set<std::s
     return kinds;
 }
 
+std::uint8_t to_byte(double value) {
+    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
+}
+
 PagePicture read_picture(const std::filesystem::path& path, int& step) {
     const RasterFile raster = read_raster_file(path);
     PagePicture picture{raster.size.width, raster.size.height, {}};
@@ -50,7 +56,7 @@ PagePicture read_picture(const std::filesystem::path& path, int& step) {
         for (std::size_t channel = 0; channel < 3; ++channel) {
             // Grey files have one channel for all three.
             const float value = raster.values[pixel * channels + (channels < 3 ? 0 : channel)];
-            picture.rgb.push_back(static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F))));
+            picture.rgb.push_back(to_byte(value));
         }
     }
     const int needed = (std::max(picture.width, picture.height) + largest_side - 1) / largest_side;
@@ -112,6 +118,17 @@ std::filesystem::path file_of(const std::filesystem::path& stem, const std::stri
     return stem.string() + (kind.empty() ? "" : "." + kind) + std::string(extension);
 }
 
+MapLegend legend_of(const PixelMapScale& scale) {
+    constexpr int colours = 256;
+    MapLegend legend{scale.title, scale.unit, scale.dark, scale.light, scale.logarithmic, {}, -1};
+    for (int colour = 0; colour < colours; ++colour) {
+        for (const double channel : magma(colour / (colours - 1.0))) {
+            legend.colours.push_back(to_byte(channel));
+        }
+    }
+    return legend;
+}
+
 /// Adds to what is known of one run.
 class Collector {
 public:
@@ -139,11 +156,15 @@ public:
     }
 
     void add_legends(const std::filesystem::path& images, const std::set<std::string>& names) {
-        for (const auto& [map, positions] : of_run_.maps) {
-            if (!names.contains(legend_stem + ('.' + map))) continue;
-            int as_it_is = 1;
-            of_run_.legends[map] =
-                static_cast<int>(pictures_.add(read_picture(file_of(images / legend_stem, map), as_it_is)));
+        for (const PixelMapScale& scale : pixel_map_scales()) {
+            if (!of_run_.maps.contains(scale.name)) continue;
+            MapLegend legend = legend_of(scale);
+            if (names.contains(legend_stem + ('.' + scale.name))) {
+                int as_it_is = 1;
+                const PagePicture picture = read_picture(file_of(images / legend_stem, scale.name), as_it_is);
+                legend.picture = static_cast<int>(pictures_.add(picture));
+            }
+            of_run_.legends[scale.name] = std::move(legend);
         }
     }
 

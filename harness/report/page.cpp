@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "report/comparison_json.hpp"
 #include "report/page_cells.hpp"
+#include "report/page_pictures.hpp"
 #include "report/page_samples.hpp"
 
 namespace reliefbench {
@@ -11,6 +12,18 @@ namespace {
 
 /// In the page, where the data go.
 constexpr std::string_view data_place = "\"RELIEFBENCH_DATA\"";
+
+Json legend_to_json(const MapLegend& legend) {
+    Json json;
+    json["title"] = legend.title;
+    json["unit"] = legend.unit;
+    json["dark"] = legend.dark;
+    json["light"] = legend.light;
+    json["logarithmic"] = legend.logarithmic;
+    json["colours"] = base64(legend.colours);
+    json["picture"] = legend.picture;
+    return json;
+}
 
 Json pictures_to_json(const CellPictures& pictures) {
     Json json;
@@ -21,8 +34,8 @@ Json pictures_to_json(const CellPictures& pictures) {
         json["maps"][name] = positions;
     }
     json["legends"] = Json::object();
-    for (const auto& [name, position] : pictures.legends) {
-        json["legends"][name] = position;
+    for (const auto& [name, legend] : pictures.legends) {
+        json["legends"][name] = legend_to_json(legend);
     }
     json["step"] = pictures.step;
     json["left_out"] = pictures.left_out;

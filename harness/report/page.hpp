@@ -11,14 +11,28 @@
 
 namespace reliefbench {
 
+/// What the colours of a map of errors mean: the n colours (RGB) stand for values from `dark` to `light` in equal
+/// steps, of the value or of its logarithm.
+struct MapLegend {
+    std::string title;
+    /// Empty for pure numbers.
+    std::string unit;
+    double dark = 0;
+    double light = 1;
+    bool logarithmic = false;
+    std::vector<std::uint8_t> colours;
+    /// Which of the page's pictures shows it, -1 for none.
+    int picture = -1;
+};
+
 /// Which of the page's pictures (page_pictures.hpp) show what of a run's cells.
 struct CellPictures {
     /// One position per cell, -1 where it has none.
     std::vector<int> technique, truth;
     /// Error maps and others, by name.
     std::map<std::string, std::vector<int>> maps;
-    /// What the colours of a map mean, by its name.
-    std::map<std::string, int> legends;
+    /// Of those maps whose scale is known.
+    std::map<std::string, MapLegend> legends;
     /// Every how many pixels were kept: 1 is all.
     int step = 1;
     /// Cells whose pictures are in the run's folder but did not fit into the page.

@@ -28,13 +28,23 @@ export interface PassSamples {
   ms: number[];
 }
 
+/** What a map's colours mean: RGB, base64, for values from `dark` to `light`. `picture` shows it; -1 for none. */
+export interface MapLegend {
+  title: string;
+  unit: string;
+  dark: number;
+  light: number;
+  logarithmic: boolean;
+  colours: string;
+  picture: number;
+}
+
 /** Positions in PageData.pictures, one per cell, -1 for none. */
 export interface CellPictures {
   technique: number[];
   truth: number[];
   maps: Record<string, number[]>;
-  /** What a map's colours mean. */
-  legends: Record<string, number>;
+  legends: Record<string, MapLegend>;
   step: number;
   left_out: number;
 }

@@ -68,7 +68,11 @@ export function segments(
   onChange: (value: string) => void,
 ): { element: HTMLElement; set(value: string): void } {
   const buttons = choices.map((choice) =>
-    h("button", { attrs: { type: "button", "data-value": choice.value }, on: { click: () => onChange(choice.value) } }, choice.label),
+    h(
+      "button",
+      { attrs: { type: "button", "data-value": choice.value }, on: { click: () => onChange(choice.value) } },
+      choice.label,
+    ),
   );
   return {
     element: h("div", { class: "segments", attrs: { role: "group", "aria-label": label } }, ...buttons),

@@ -52,7 +52,12 @@ export function headerElement(app: App, onTheme: () => void, onHelp: () => void)
   return h(
     "div",
     { class: "header" },
-    h("h1", {}, h("span", { class: "brand" }, "reliefbench"), valueText(deep(record, "configuration", "name") ?? run.name)),
+    h(
+      "h1",
+      {},
+      h("span", { class: "brand" }, "reliefbench"),
+      valueText(deep(record, "configuration", "name") ?? run.name),
+    ),
     h(
       "p",
       { class: "facts" },
@@ -67,7 +72,15 @@ export function headerElement(app: App, onTheme: () => void, onHelp: () => void)
       "div",
       { class: "tools" },
       runs.length > 1 ? runSwitch(app) : null,
-      h("button", { title: "Light or dark (t)", attrs: { type: "button", "aria-label": "Light or dark" }, on: { click: onTheme } }, app.theme === "dark" ? "☀" : "☾"),
+      h(
+        "button",
+        {
+          title: "Light or dark (t)",
+          attrs: { type: "button", "aria-label": "Light or dark" },
+          on: { click: onTheme },
+        },
+        app.theme === "dark" ? "☀" : "☾",
+      ),
       h("button", { title: "Keys (?)", attrs: { type: "button", "aria-label": "Keys" }, on: { click: onHelp } }, "?"),
     ),
   );

@@ -71,6 +71,11 @@ const knownErrors: Metric[] = [
       return wrong === null ? null : 100 * wrong;
     },
   },
+  field("motion.texels.mean", "Change of the UV error in motion, mean", "texels"),
+  field("motion.texels.p95", "Change of the UV error in motion, p95", "texels"),
+  field("motion.texels.max", "Change of the UV error in motion, maximum", "texels"),
+  field("motion.flip.mean", "FLIP in motion, mean", ""),
+  field("motion.flip.p95", "FLIP in motion, p95", ""),
   field("work.unconverged", "Unconverged searches", "% of pixels", 100),
 ];
 
@@ -85,8 +90,9 @@ const knownCosts: Metric[] = [
   field("prepare.bytes", "Memory of prepared maps", "bytes"),
 ];
 
-/** Of errors, the larger is the worse one; these fields are not like that. */
-const noErrors = /^(error\.(compared|coverage_iou|outside_quad\..*|depth\.mean|.*\.(p50|p95|p99|mean|rms|max))|image\.(psnr|ssim))$/;
+/** These are no errors (of those, the larger is the worse one), or one of many statistics of one. */
+const noErrors =
+  /^(error\.(compared|coverage_iou|outside_quad\..*|.*\.(p50|p95|p99|mean|rms|max))|image\.(psnr|ssim)|motion\.(flip\.max|compared|hit_once|unseen))$/;
 
 /** Fields of later versions: errors by their group, under their own name. */
 function unknownErrors(cells: Cells): Metric[] {

@@ -23,7 +23,10 @@ const shapes: { symbol: string; d: string }[] = [
   { symbol: "rect", d: "M1 1H9V9H1Z" },
   { symbol: "diamond", d: "M5 0L10 5L5 10L0 5Z" },
   { symbol: path("M5 9.3L0.2 0.8H9.8Z"), d: "M5 9.3L0.2 0.8H9.8Z" },
-  { symbol: path("M3.5 0H6.5V3.5H10V6.5H6.5V10H3.5V6.5H0V3.5H3.5Z"), d: "M3.5 0H6.5V3.5H10V6.5H6.5V10H3.5V6.5H0V3.5H3.5Z" },
+  {
+    symbol: path("M3.5 0H6.5V3.5H10V6.5H6.5V10H3.5V6.5H0V3.5H3.5Z"),
+    d: "M3.5 0H6.5V3.5H10V6.5H6.5V10H3.5V6.5H0V3.5H3.5Z",
+  },
   {
     symbol: path("M5 0L6.3 3.5L10 3.8L7.1 6.1L8.1 10L5 7.8L1.9 10L2.9 6.1L0 3.8L3.7 3.5Z"),
     d: "M5 0L6.3 3.5L10 3.8L7.1 6.1L8.1 10L5 7.8L1.9 10L2.9 6.1L0 3.8L3.7 3.5Z",

@@ -8,11 +8,13 @@ export interface Point {
  * Equal points are on the front together.
  */
 export function paretoFront(points: readonly Point[]): number[] {
-  const order = points.map((_, at) => at).sort((a, b) => {
-    const x = points[a]!;
-    const y = points[b]!;
-    return x.cost - y.cost || x.error - y.error || a - b;
-  });
+  const order = points
+    .map((_, at) => at)
+    .sort((a, b) => {
+      const x = points[a]!;
+      const y = points[b]!;
+      return x.cost - y.cost || x.error - y.error || a - b;
+    });
   const front: number[] = [];
   for (const at of order) {
     const point = points[at]!;

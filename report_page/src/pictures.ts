@@ -1,6 +1,6 @@
 // Unpacks the page's pictures: harness/report/page_pictures.hpp says how they are packed.
 
-import type { PackedPicture } from "./data.ts";
+import type { MapLegend, PackedPicture } from "./data.ts";
 
 export interface Picture {
   width: number;
@@ -55,10 +55,30 @@ export class Pictures {
   private async unpack(at: number): Promise<Picture> {
     const { width, height, packing, base, palette, data } = this.packed[at]!;
     const bytes = await inflate(bytesOfBase64(data));
-    if (packing === "palette") return { width, height, rgb: fromPalette(bytes, bytesOfBase64(palette ?? ""), width * height) };
+    if (packing === "palette")
+      return { width, height, rgb: fromPalette(bytes, bytesOfBase64(palette ?? ""), width * height) };
     if (packing === "difference") return { width, height, rgb: addBase(bytes, (await this.get(base!)).rgb) };
     return { width, height, rgb: bytes };
   }
+}
+
+/** How far a colour may lie from the scale's, summed squares of its channels, and still be one of them. */
+const nearEnough = 30;
+
+/** The value that a colour of a map stands for; null where it is none of the scale's: a missed hit, say. */
+export function valueOfColour(colour: readonly number[], legend: MapLegend, colours: Uint8Array): number | null {
+  let best = -1;
+  let least = nearEnough;
+  const last = colours.length / 3 - 1;
+  for (let at = 0; at <= last; ++at) {
+    const distance = colour.reduce((sum, value, channel) => sum + (value - colours[3 * at + channel]!) ** 2, 0);
+    if (distance < least) [best, least] = [at, distance];
+  }
+  if (best < 0) return null;
+  const along = best / last;
+  return legend.logarithmic
+    ? legend.dark * (legend.light / legend.dark) ** along
+    : legend.dark + along * (legend.light - legend.dark);
 }
 
 /** Draws the picture into a canvas of its size. */

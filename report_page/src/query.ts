@@ -42,11 +42,7 @@ function holds(bound: Bound, value: number): boolean {
 }
 
 /** `figure` gives a row's figure by the name in a bound: undefined where there is no such column, null for no value. */
-export function matches(
-  query: Query,
-  rowText: string,
-  figure: (name: string) => number | null | undefined,
-): boolean {
+export function matches(query: Query, rowText: string, figure: (name: string) => number | null | undefined): boolean {
   const text = rowText.toLowerCase();
   return (
     query.words.every((word) => text.includes(word)) &&

@@ -165,9 +165,18 @@ export function lines(cells: Cells, selection: readonly number[], x: Abscissa, c
     technique,
     points: [...at.values()]
       .map((members) => ({
-        x: mean(members.map((cell) => x.of(cells, cell)), geometricMean)!,
-        cost: mean(members.map((cell) => cost.of(cells, cell)), geometricMean),
-        error: mean(members.map((cell) => error.of(cells, cell)), (all) => all.reduce((a, b) => a + b, 0) / all.length),
+        x: mean(
+          members.map((cell) => x.of(cells, cell)),
+          geometricMean,
+        )!,
+        cost: mean(
+          members.map((cell) => cost.of(cells, cell)),
+          geometricMean,
+        ),
+        error: mean(
+          members.map((cell) => error.of(cells, cell)),
+          (all) => all.reduce((a, b) => a + b, 0) / all.length,
+        ),
         cells: members,
       }))
       .sort((a, b) => a.x - b.x),

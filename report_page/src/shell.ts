@@ -1,7 +1,16 @@
 // The page around the views: header, tabs, filters, the pinned cell, keys, and the state in the URL's fragment.
 
 import type { App, View } from "./app.ts";
-import { cellIndex, type PageData, type RunData, settingOf, techniqueOf, techniques, viewLabel, viewOf } from "./data.ts";
+import {
+  cellIndex,
+  type PageData,
+  type RunData,
+  settingOf,
+  techniqueOf,
+  techniques,
+  viewLabel,
+  viewOf,
+} from "./data.ts";
 import { settingElement } from "./describe.ts";
 import { fill, h } from "./dom.ts";
 import { filteredCells, measuredCells } from "./filter.ts";
@@ -72,7 +81,11 @@ export function startShell(data: PageData, body: HTMLElement): void {
   const pinBar = h("div", { class: "pin-bar" });
   const main = h("main", { attrs: { id: "main" } });
   const help = helpDialog();
-  body.replaceChildren(header, h("div", { class: "frame" }, aside, h("div", { class: "content" }, tabs, pinBar, main)), help);
+  body.replaceChildren(
+    header,
+    h("div", { class: "frame" }, aside, h("div", { class: "content" }, tabs, pinBar, main)),
+    help,
+  );
 
   const shown = () => views.find((view) => view.name === state.view) ?? views[0]!;
   const shell: Shell = {
@@ -103,7 +116,14 @@ export function startShell(data: PageData, body: HTMLElement): void {
     const { cells } = run();
     positions = new Map(techniques(cells).map((technique, at) => [technique, at]));
     views = makers.map((make) => make(app)).filter((view): view is View => view !== null);
-    fill(header, headerElement(app, () => shell.toggleTheme(), () => help.showModal()));
+    fill(
+      header,
+      headerElement(
+        app,
+        () => shell.toggleTheme(),
+        () => help.showModal(),
+      ),
+    );
     fill(
       tabs,
       ...views.map((view, at) =>
@@ -187,8 +207,24 @@ function pinElement(app: App, shell: Shell): HTMLElement | null {
     h(
       "span",
       { class: "pin-buttons" },
-      h("button", { title: "Previous cell (k)", attrs: { type: "button", "aria-label": "Previous cell" }, on: { click: () => shell.step(-1) } }, "‹"),
-      h("button", { title: "Next cell (j)", attrs: { type: "button", "aria-label": "Next cell" }, on: { click: () => shell.step(1) } }, "›"),
+      h(
+        "button",
+        {
+          title: "Previous cell (k)",
+          attrs: { type: "button", "aria-label": "Previous cell" },
+          on: { click: () => shell.step(-1) },
+        },
+        "‹",
+      ),
+      h(
+        "button",
+        {
+          title: "Next cell (j)",
+          attrs: { type: "button", "aria-label": "Next cell" },
+          on: { click: () => shell.step(1) },
+        },
+        "›",
+      ),
       unpinButton(app),
     ),
   );
@@ -197,7 +233,11 @@ function pinElement(app: App, shell: Shell): HTMLElement | null {
 function unpinButton(app: App): HTMLElement {
   return h(
     "button",
-    { title: "Unpin (Esc)", attrs: { type: "button", "aria-label": "Unpin" }, on: { click: () => app.update({ pin: "" }) } },
+    {
+      title: "Unpin (Esc)",
+      attrs: { type: "button", "aria-label": "Unpin" },
+      on: { click: () => app.update({ pin: "" }) },
+    },
     "×",
   );
 }

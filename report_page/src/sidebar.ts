@@ -66,14 +66,21 @@ function axisGroup(app: App, axis: string): HTMLElement {
     { class: "values", attrs: { "data-filter": axis } },
     h("legend", {}, axis.replaceAll("_", " ")),
     ...all.map((value) =>
-      chip([value], shown.length === 0 || shown.includes(value), value, () => set(toggled(shown, value, all)), () => set([value])),
+      chip(
+        [value],
+        shown.length === 0 || shown.includes(value),
+        value,
+        () => set(toggled(shown, value, all)),
+        () => set([value]),
+      ),
     ),
   );
 }
 
 export function sidebar(app: App): HTMLElement {
   const { cells } = app.run();
-  const filtered = app.state.techniques.length > 0 || Object.values(app.state.filters).some((values) => values.length > 0);
+  const filtered =
+    app.state.techniques.length > 0 || Object.values(app.state.filters).some((values) => values.length > 0);
   return h(
     "div",
     { class: "sidebar" },
@@ -84,7 +91,16 @@ export function sidebar(app: App): HTMLElement {
       { class: "muted shown" },
       `${app.selection().length.toLocaleString("en")} of ${counted(cells.count, "cell")}`,
       filtered
-        ? h("button", { class: "link", title: "x", attrs: { type: "button" }, on: { click: () => app.update({ filters: {}, techniques: [] }) } }, "show all")
+        ? h(
+            "button",
+            {
+              class: "link",
+              title: "x",
+              attrs: { type: "button" },
+              on: { click: () => app.update({ filters: {}, techniques: [] }) },
+            },
+            "show all",
+          )
         : null,
     ),
   );

@@ -77,7 +77,11 @@ export class Table<Row> {
             {
               class: column.number ? "number" : "",
               title: column.help ?? "",
-              attrs: { scope: "col", "aria-sort": column.id === name ? direction : undefined, "data-column": column.id },
+              attrs: {
+                scope: "col",
+                "aria-sort": column.id === name ? direction : undefined,
+                "data-column": column.id,
+              },
             },
             h(
               "button",
@@ -123,7 +127,11 @@ export class Table<Row> {
           { class: this.options.rowClass(row), on: { click: () => this.options.onRow(row) } },
           ...this.columns.map((column) => {
             const content = column.content(row);
-            return h("td", { class: column.number ? "number" : "", title: typeof content === "string" ? content : "" }, content);
+            return h(
+              "td",
+              { class: column.number ? "number" : "", title: typeof content === "string" ? content : "" },
+              content,
+            );
           }),
         ),
       ),

@@ -59,7 +59,10 @@ test("where nothing keeps to the goal, what comes nearest is told; discarding ha
 });
 
 test("metrics are those that a cell has, and read as figures with units", () => {
-  assert.deepEqual(costMetrics(cells).map(({ id }) => id), ["time.draw.median_ms", "work.steps_mean"]);
+  assert.deepEqual(
+    costMetrics(cells).map(({ id }) => id),
+    ["time.draw.median_ms", "work.steps_mean"],
+  );
   assert.deepEqual(errorMetrics(cellsOf([{ id: "a | b" }])), []);
   assert.equal(metricText(cost, 0.0321), "0.0321 ms");
   assert.equal(metricText(cost, null), "–");

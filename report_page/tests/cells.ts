@@ -44,7 +44,14 @@ export function cellsOf(rows: SampleCell[]): Cells {
 }
 
 /** A measured cell of pom, say, at a view angle. */
-export function measured(technique: string, steps: number, angle: number, ms: number, uv: number, missed = 0): SampleCell {
+export function measured(
+  technique: string,
+  steps: number,
+  angle: number,
+  ms: number,
+  uv: number,
+  missed = 0,
+): SampleCell {
   return {
     id: `${technique} max_steps=${steps} | view_angle=${angle}`,
     axes: { view_angle: angle },

@@ -38,7 +38,8 @@ test("cells that were not measured are told by reason", () => {
 });
 
 const figures: Record<string, number | null> = { ms: 2, uv: null };
-const found = (query: string) => matches(parseQuery(query), "pom max_steps=16 | view_angle=60 ok", (name) => figures[name]);
+const found = (query: string) =>
+  matches(parseQuery(query), "pom max_steps=16 | view_angle=60 ok", (name) => figures[name]);
 
 test("words must be there, words after a minus must not, in any case", () => {
   assert.ok(found(""));
@@ -65,7 +66,10 @@ test("rows sort either way, equal ones keep their order, undefined ones come las
     { name: "d", key: 2 },
   ];
   const columns = [{ id: "key", title: "", number: true, key: (row: (typeof rows)[0]) => row.key, content: () => "" }];
-  const sorted = (sort: string) => sortRows(rows, columns, sort).map(({ name }) => name).join("");
+  const sorted = (sort: string) =>
+    sortRows(rows, columns, sort)
+      .map(({ name }) => name)
+      .join("");
   assert.equal(sorted("key"), "cadb");
   assert.equal(sorted("-key"), "adcb");
   assert.equal(sorted("unknown"), "abcd");

@@ -16,7 +16,9 @@ const file = join(folder, "report.html");
 writeRun(join(folder, "run"), largeRun(Number(cells)));
 const start = performance.now();
 execFileSync(binary, ["report", join(folder, "run"), "-o", file]);
-console.log(`${cells} cells: report written in ${Math.round(performance.now() - start)} ms, ${(statSync(file).size / 1e6).toFixed(2)} MB`);
+console.log(
+  `${cells} cells: report written in ${Math.round(performance.now() - start)} ms, ${(statSync(file).size / 1e6).toFixed(2)} MB`,
+);
 
 const browser = await openBrowser();
 for (let repetition = 0; repetition < Number(repetitions); ++repetition) {
@@ -42,7 +44,9 @@ for (let repetition = 0; repetition < Number(repetitions); ++repetition) {
     document.querySelector("[data-filter=technique] .chip").click();
     return performance.now() - before;
   });
-  console.log(`first paint ${Math.round(times.paint)} ms, chart drawn by ${Math.round(times.drawn)} ms; a filter takes ${Math.round(filtered)} ms`);
+  console.log(
+    `first paint ${Math.round(times.paint)} ms, chart drawn by ${Math.round(times.drawn)} ms; a filter takes ${Math.round(filtered)} ms`,
+  );
   await page.close();
 }
 await browser.close();

@@ -42,16 +42,29 @@ before(async () => {
     [pom]: {
       technique: (x, y) => [x * 4, y * 4, 7],
       truth: (x, y) => [x * 4, y * 4 + 1, 9],
-      error: (x, y) => [x < 32 ? 10 : 200, 20, 30],
+      // Black is the scale's dark end, and green is no value's colour.
+      uv_error: (x) => (x < 11 ? [0, 0, 3] : [26, 204, 51]),
     },
   };
   writeRun(join(folder, "small"), smallRun(), { name: "small", pictures });
-  writeRun(join(folder, "slower"), [...smallRun({ slowdown: 8 }).slice(1), unmeasured({ technique: "new", status: "failed", reason: "no" })]);
-  writeRun(join(folder, "troubled"), [
-    ...smallRun(),
-    unmeasured({ technique: hostile, axes: { heightmap: hostile }, status: "failed", reason: `trace.glsl:3: ${hostile}` }),
-    unmeasured({ technique: "tessellation", status: "skipped", reason: "the device has no tessellation" }),
-  ], { name: hostile });
+  writeRun(join(folder, "slower"), [
+    ...smallRun({ slowdown: 8 }).slice(1),
+    unmeasured({ technique: "new", status: "failed", reason: "no" }),
+  ]);
+  writeRun(
+    join(folder, "troubled"),
+    [
+      ...smallRun(),
+      unmeasured({
+        technique: hostile,
+        axes: { heightmap: hostile },
+        status: "failed",
+        reason: `trace.glsl:3: ${hostile}`,
+      }),
+      unmeasured({ technique: "tessellation", status: "skipped", reason: "the device has no tessellation" }),
+    ],
+    { name: hostile },
+  );
   writeRun(join(folder, "empty"), []);
   writeRun(join(folder, "large"), largeRun(10_000), { rounds: 3 });
   report("small", "small");
@@ -143,12 +156,18 @@ test("hovering tells the cell and a click pins it", async () => {
 
 test("what to use is said in words for a budget and for a limit", async () => {
   await open("small", "view=advice&axis.view_angle=60&budget=0.4");
-  assert.match(await page.textContent(".answer"), /At 60°, within 0\.400 ms.*Use pommax_steps=32: 99 % of its pixels are within 0\.250 texels, in 0\.320 ms/);
+  assert.match(
+    await page.textContent(".answer"),
+    /At 60°, within 0\.400 ms.*Use pommax_steps=32: 99 % of its pixels are within 0\.250 texels, in 0\.320 ms/,
+  );
   await page.fill(".amount input", "0.01");
   assert.match(await page.textContent(".answer"), /Nothing does that.*cheapest takes 0\.0800 ms.*pom/);
   await page.click("[data-value=limit]");
   await page.fill(".amount input", "0.1");
-  assert.match(await page.textContent(".answer"), /at most 0\.100 texels.*Use qdm.*have no error.*in 0\.500 ms.*pommax_steps=128: 1\.28 ms/);
+  assert.match(
+    await page.textContent(".answer"),
+    /at most 0\.100 texels.*Use qdm.*have no error.*in 0\.500 ms.*pommax_steps=128: 1\.28 ms/,
+  );
 });
 
 test("charts over steps and over the view angle have a line per technique", async () => {
@@ -163,12 +182,18 @@ test("charts over steps and over the view angle have a line per technique", asyn
 test("pictures of a pinned cell: side by side, flip, slider, and the values of a pixel", async () => {
   await open("small", `view=pictures&pin=${encodeURIComponent(pom)}`);
   await page.waitForSelector("[data-picture=map]");
-  assert.deepEqual(await page.$$eval("canvas.picture", (all) => all.map((canvas) => canvas.dataset.picture)), ["truth", "technique", "map"]);
+  assert.deepEqual(await page.$$eval("canvas.picture", (all) => all.map((canvas) => canvas.dataset.picture)), [
+    "truth",
+    "technique",
+    "map",
+  ]);
   const box = await page.locator("[data-picture=technique]").boundingBox();
   await page.mouse.move(box.x + (box.width * 10.5) / 64, box.y + (box.height * 20.5) / 64);
-  assert.deepEqual(await texts(".pixel-value"), ["40  81  9", "40  80  7", "10  20  30"]);
+  assert.deepEqual(await texts(".pixel-value"), ["40  81  9", "40  80  7", "0  0  3"]);
+  assert.deepEqual(await texts(".map-value"), ["at most 0.010 texels"]);
   await page.keyboard.press("ArrowRight");
-  assert.deepEqual(await texts(".pixel-value"), ["44  81  9", "44  80  7", "10  20  30"]);
+  assert.deepEqual(await texts(".map-value"), [""]);
+  assert.deepEqual(await texts(".pixel-value"), ["44  81  9", "44  80  7", "26  204  51"]);
   await page.keyboard.press(" ");
   await page.waitForSelector(".flip[data-shows=technique]");
   await page.keyboard.press(" ");
@@ -193,7 +218,10 @@ test("pictures of a pinned cell: side by side, flip, slider, and the values of a
 test("timing of a pinned cell: passes, a chart of its rounds, memory", async () => {
   await open("small", "view=timing&pin=" + encodeURIComponent("qdm leaf=exact | heightmap=rock view_angle=60"));
   await page.waitForSelector(".chart canvas");
-  assert.match(await page.textContent(".timing"), /draw.*18 samples in 9 rounds.*1\.50 ms.*85\.3 KiB.*fragment shader invocations4,096/);
+  assert.match(
+    await page.textContent(".timing"),
+    /draw.*18 samples in 9 rounds.*1\.50 ms.*85\.3 KiB.*fragment shader invocations4,096/,
+  );
 });
 
 test("the table sorts, searches and pins", async () => {
@@ -219,14 +247,20 @@ test("what changed between two runs, verdict by verdict", async () => {
 });
 
 test("a link leads to the view that it was taken from", async () => {
-  await open("small", `view=cells&techniques=pom&axis.heightmap=rock&query=uv%3C1&sort=-error.uv_texels.p99&pin=${encodeURIComponent(pom)}`);
+  await open(
+    "small",
+    `view=cells&techniques=pom&axis.heightmap=rock&query=uv%3C1&sort=-error.uv_texels.p99&pin=${encodeURIComponent(pom)}`,
+  );
   assert.equal(await page.inputValue("#query"), "uv<1");
   assert.equal(await page.textContent("#row-count"), "5 cells");
   assert.equal(await page.getAttribute("[data-column='error.uv_texels.p99']", "aria-sort"), "descending");
   assert.equal(await page.getAttribute(".pin", "data-pin"), pom);
   await page.evaluate(() => (location.hash = "#view=run"));
   await page.waitForSelector(".view-run");
-  await open("small", "view=nonsense&run=7&budget=x&pin=gone&axis.nothing=1&facet=__proto__&error=constructor&sort=-valueOf");
+  await open(
+    "small",
+    "view=nonsense&run=7&budget=x&pin=gone&axis.nothing=1&facet=__proto__&error=constructor&sort=-valueOf",
+  );
   assert.match(await page.textContent(".pin-bar"), /no cell “gone”/);
   await page.waitForSelector(".view-cost .chart canvas");
 });
@@ -258,7 +292,10 @@ test("keys reach every view, cell, theme and the help", async () => {
 test("failed and skipped cells are there with their reasons, and no text becomes markup", async () => {
   await open("troubled");
   assert.match(await page.textContent("header"), /1 failed1 skipped/);
-  assert.match(await page.textContent(".troubles"), /2 cells were not measured.*trace\.glsl:3: <img src=x.*no tessellation/);
+  assert.match(
+    await page.textContent(".troubles"),
+    /2 cells were not measured.*trace\.glsl:3: <img src=x.*no tessellation/,
+  );
   for (const view of ["advice", "axes", "pictures", "timing", "run"]) await open("troubled", `view=${view}`);
   await open("troubled", "view=cells");
   await page.click("[data-status=failed]");
@@ -269,7 +306,8 @@ test("failed and skipped cells are there with their reasons, and no text becomes
 });
 
 test("a run without cells says so in every view", async () => {
-  for (const view of ["cost", "advice", "axes", "pictures", "timing", "cells", "run"]) await open("empty", `view=${view}`);
+  for (const view of ["cost", "advice", "axes", "pictures", "timing", "cells", "run"])
+    await open("empty", `view=${view}`);
   await open("empty");
   assert.match(await page.textContent(".note"), /No cell of this run was measured/);
 });

@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { logRange, powerText } from "../src/scales.ts";
 import { bytesText, changeText, geometricMean, median, significant } from "../src/numbers.ts";
-import { addBase, fromPalette } from "../src/pictures.ts";
+import { addBase, fromPalette, valueOfColour } from "../src/pictures.ts";
 
 test("figures have significant digits, and what is undefined is a dash", () => {
   assert.equal(significant(1234.5), "1235");
@@ -57,4 +57,13 @@ test("pictures unpack from a palette, with one byte or two, and from a differenc
   const wide = fromPalette(Uint8Array.of(1, 0, 1, 0), palette, 2);
   assert.deepEqual([...wide], [...palette.subarray(3 * 257, 3 * 258), 0, 1, 2]);
   assert.deepEqual([...addBase(Uint8Array.of(1, 255), Uint8Array.of(2, 3))], [3, 2]);
+});
+
+test("a map's colour is read back as the value that it stands for, and no other colour is", () => {
+  const colours = Uint8Array.of(0, 0, 0, 100, 0, 0, 200, 100, 0);
+  const legend = { title: "", unit: "texels", dark: 0.01, light: 1, logarithmic: true, colours: "", picture: -1 };
+  assert.equal(valueOfColour([100, 1, 0], legend, colours), 0.1);
+  assert.equal(valueOfColour([200, 100, 0], legend, colours), 1);
+  assert.equal(valueOfColour([26, 89, 255], legend, colours), null);
+  assert.equal(valueOfColour([100, 0, 0], { ...legend, dark: 1, light: 0, logarithmic: false }, colours), 0.5);
 });

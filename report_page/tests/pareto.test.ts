@@ -28,13 +28,23 @@ test("equal points are on the front together, and a point as good for more is no
 
 test("no points have no front; an error of 0 ends it", () => {
   assert.deepEqual(paretoFront([]), []);
-  assert.deepEqual(costs([{ cost: 1, error: 0 }, { cost: 2, error: 0 }, { cost: 0.5, error: 1 }]), [0.5, 1]);
+  assert.deepEqual(
+    costs([
+      { cost: 1, error: 0 },
+      { cost: 2, error: 0 },
+      { cost: 0.5, error: 1 },
+    ]),
+    [0.5, 1],
+  );
 });
 
 test("the front of many points is that of comparing each with each", () => {
   let seed = 7;
   const random = () => (seed = (seed * 16807) % 2147483647) / 2147483647;
-  const points = Array.from({ length: 400 }, () => ({ cost: Math.round(20 * random()), error: Math.round(20 * random()) }));
+  const points = Array.from({ length: 400 }, () => ({
+    cost: Math.round(20 * random()),
+    error: Math.round(20 * random()),
+  }));
   const beaten = (a: number) =>
     points.some(
       (other) =>
@@ -43,5 +53,8 @@ test("the front of many points is that of comparing each with each", () => {
         (other.cost < points[a]!.cost || other.error < points[a]!.error),
     );
   const expected = points.map((_, at) => at).filter((at) => !beaten(at));
-  assert.deepEqual(paretoFront(points).sort((a, b) => a - b), expected);
+  assert.deepEqual(
+    paretoFront(points).sort((a, b) => a - b),
+    expected,
+  );
 });

@@ -6,7 +6,15 @@ import { deflateSync } from "node:zlib";
 
 const record = (name, device) => ({
   configuration: { name, truth: { kind: "exact" }, images: false, axes: { view_angle: [0, 60] } },
-  environment: { tool_version: "0.1.0", git_revision: "abc", git_dirty: false, cpu: "test CPU", cores: 2, os: "test", time: "2026-11-22T08:00:00Z" },
+  environment: {
+    tool_version: "0.1.0",
+    git_revision: "abc",
+    git_dirty: false,
+    cpu: "test CPU",
+    cores: 2,
+    os: "test",
+    time: "2026-11-22T08:00:00Z",
+  },
   device: { name: device, type: "discrete GPU", driver: "test", driver_version: "1" },
   techniques: {},
   height_maps: [],
@@ -14,8 +22,18 @@ const record = (name, device) => ({
 });
 
 const defaults = {
-  heightmap: "rock", heightmap_size: "256x256", height_format: "r16", view_angle: 0, azimuth: -90, projection: "parallel",
-  distance: null, fov: null, height_scale: 0.05, tiling: 1, boundary: "clip", resolution: "64x64",
+  heightmap: "rock",
+  heightmap_size: "256x256",
+  height_format: "r16",
+  view_angle: 0,
+  azimuth: -90,
+  projection: "parallel",
+  distance: null,
+  fov: null,
+  height_scale: 0.05,
+  tiling: 1,
+  boundary: "clip",
+  resolution: "64x64",
 };
 
 function idOf(technique, params, axes) {
@@ -35,18 +53,41 @@ export function measured({ technique, params = {}, axes = {}, ms, uv, missed = 0
     status: "ok",
     reason: null,
     time: {
-      draw: { median_ms: ms, mad_ms: ms / 50, ci95_ms: [0.98 * ms, 1.02 * ms], n: 18, repeats: 1, rounds: 9, outliers: 0, lower_quartile_ms: 0.99 * ms },
+      draw: {
+        median_ms: ms,
+        mad_ms: ms / 50,
+        ci95_ms: [0.98 * ms, 1.02 * ms],
+        n: 18,
+        repeats: 1,
+        rounds: 9,
+        outliers: 0,
+        lower_quartile_ms: 0.99 * ms,
+      },
       ns_per_pixel: ms * 244,
       stop: "precise",
       throttled_rounds: 0,
     },
     prepare: { ms: technique === "qdm" ? 1.5 : 0, bytes: technique === "qdm" ? 87381 : 0 },
-    work: { taps_mean: steps, taps_p95: steps, texels_mean: steps, steps_mean: steps, steps_p95: steps, unconverged: 0, covered_pixels: 4096 },
+    work: {
+      taps_mean: steps,
+      taps_p95: steps,
+      texels_mean: steps,
+      steps_mean: steps,
+      steps_p95: steps,
+      unconverged: 0,
+      covered_pixels: 4096,
+    },
     pipeline: { fragment_shader_invocations: 4096 },
     executable: {},
     error: {
-      uv_texels: summary(uv), depth: summary(uv / 1000), normal_deg: summary(uv), compared: 4096, missed, false_hits: 0,
-      outside_quad: { pixels: 0, covered: null }, coverage_iou: 1,
+      uv_texels: summary(uv),
+      depth: summary(uv / 1000),
+      normal_deg: summary(uv),
+      compared: 4096,
+      missed,
+      false_hits: 0,
+      outside_quad: { pixels: 0, covered: null },
+      coverage_iou: 1,
     },
     image: { flip: uv / 100, psnr: uv === 0 ? null : 30, ssim: 1 - uv / 1000, rmse: uv / 100 },
   };
@@ -54,13 +95,23 @@ export function measured({ technique, params = {}, axes = {}, ms, uv, missed = 0
 
 export function unmeasured({ technique, axes = {}, status, reason }) {
   return {
-    cell: idOf(technique, {}, axes), technique, axes: { ...defaults, ...axes }, params: {}, status, reason,
-    time: { ns_per_pixel: null, stop: null, throttled_rounds: 0 }, prepare: { ms: null, bytes: null }, work: null,
-    pipeline: {}, executable: {}, error: null, image: null,
+    cell: idOf(technique, {}, axes),
+    technique,
+    axes: { ...defaults, ...axes },
+    params: {},
+    status,
+    reason,
+    time: { ns_per_pixel: null, stop: null, throttled_rounds: 0 },
+    prepare: { ms: null, bytes: null },
+    work: null,
+    pipeline: {},
+    executable: {},
+    error: null,
+    image: null,
   };
 }
 
-/** `pictures` maps a cell's id to `{technique, truth, error}`, functions from x and y to [red, green, blue]. */
+/** `pictures` maps a cell's id to `{technique, truth, uv_error}`, functions from x and y to [red, green, blue]. */
 export function writeRun(folder, cells, { name = "test", device = "test device", rounds = 9, pictures = {} } = {}) {
   mkdirSync(folder, { recursive: true });
   const lines = (values) => values.map((value) => `${JSON.stringify(value)}\n`).join("");
@@ -74,13 +125,16 @@ export function writeRun(folder, cells, { name = "test", device = "test device",
     }
   }
   writeFileSync(join(folder, "samples.jsonl"), lines(samples));
-  writeFileSync(join(folder, "summary.json"), JSON.stringify({ cells: { ok: cells.length, skipped: 0, failed: 0 }, total_s: 1 }));
-  for (const [cell, { technique, truth, error }] of Object.entries(pictures)) {
+  writeFileSync(
+    join(folder, "summary.json"),
+    JSON.stringify({ cells: { ok: cells.length, skipped: 0, failed: 0 }, total_s: 1 }),
+  );
+  for (const [cell, { technique, truth, uv_error }] of Object.entries(pictures)) {
     const stem = join(folder, "images", cell.replace(" | ", "@").replaceAll(" ", "+"));
     mkdirSync(join(folder, "images"), { recursive: true });
     writeFileSync(`${stem}.png`, png(64, 64, technique));
     writeFileSync(`${stem}.truth.png`, png(64, 64, truth));
-    writeFileSync(`${stem}.error.png`, png(64, 64, error));
+    writeFileSync(`${stem}.uv_error.png`, png(64, 64, uv_error));
   }
 }
 
@@ -112,7 +166,12 @@ function png(width, height, colour) {
     for (let x = 0; x < width; ++x) rows.push(...colour(x, y));
   }
   const signature = Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
-  return Buffer.concat([signature, chunk("IHDR", header), chunk("IDAT", deflateSync(Buffer.from(rows))), chunk("IEND", Buffer.alloc(0))]);
+  return Buffer.concat([
+    signature,
+    chunk("IHDR", header),
+    chunk("IDAT", deflateSync(Buffer.from(rows))),
+    chunk("IEND", Buffer.alloc(0)),
+  ]);
 }
 
 /** Two height maps and two angles of three techniques; errors fall as steps double. */
@@ -125,7 +184,16 @@ export function smallRun({ slowdown = 1 } = {}) {
       cells.push(measured({ technique: "flat", axes, ms: 0.1, uv: 20 * hard, missed: 0.02 * hard, steps: 0 }));
       for (const max_steps of [8, 32, 128]) {
         const ms = max_steps / 100;
-        cells.push(measured({ technique: "pom", params: { max_steps }, axes, ms: ms * slowdown, uv: (8 * hard) / max_steps, steps: max_steps / 2 }));
+        cells.push(
+          measured({
+            technique: "pom",
+            params: { max_steps },
+            axes,
+            ms: ms * slowdown,
+            uv: (8 * hard) / max_steps,
+            steps: max_steps / 2,
+          }),
+        );
       }
       cells.push(measured({ technique: "qdm", params: { leaf: "exact" }, axes, ms: 0.5, uv: 0, steps: 40 }));
     }
@@ -149,7 +217,9 @@ export function largeRun(count) {
     };
     const ms = (0.02 * max_steps * (1 + (at % 20) / 7) * (10 + axes.view_angle)) / 40;
     const uv = (40 * (1 + (at % 7))) / max_steps ** (1 + (at % 3) / 2);
-    cells.push(measured({ technique, params: { max_steps }, axes, ms, uv, missed: at % 11 === 0 ? 0.02 : 0, steps: max_steps }));
+    cells.push(
+      measured({ technique, params: { max_steps }, axes, ms, uv, missed: at % 11 === 0 ? 0.02 : 0, steps: max_steps }),
+    );
   }
   return cells;
 }

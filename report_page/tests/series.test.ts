@@ -28,7 +28,10 @@ const rounded = (value: number | null) => Number(value!.toPrecision(9));
 const over = (id: string) => abscissas(cells).find((each) => each.id === id)!;
 
 test("steps, axes and parameters that are numbers can stand below a chart", () => {
-  assert.deepEqual(abscissas(cells).map(({ id }) => id), ["steps", "axis.view_angle", "param.max_steps", "param.min_steps"]);
+  assert.deepEqual(
+    abscissas(cells).map(({ id }) => id),
+    ["steps", "axis.view_angle", "param.max_steps", "param.min_steps"],
+  );
   const sizes = cellsOf([
     { id: "a | b", axes: { heightmap_size: "128x128", heightmap: "rock" } },
     { id: "a | c", axes: { heightmap_size: "2048x2048", heightmap: "bricks" } },

@@ -103,7 +103,7 @@ TEST_F(Report, PicturesOfARunComeAlong) {
     const Json& pictures = data.at("runs").at(0).at("pictures");
     EXPECT_EQ(pictures.at("left_out"), 0);
     for (const Json& position :
-         {pictures.at("technique").at(0), pictures.at("truth").at(0), pictures.at("maps").at("error").at(0)}) {
+         {pictures.at("technique").at(0), pictures.at("truth").at(0), pictures.at("maps").at("uv_error").at(0)}) {
         EXPECT_LT(position.get<std::size_t>(), data.at("pictures").size());
     }
     ASSERT_EQ(reliefbench({"report", "run", "-o", "report.html", "--picture-megabytes", "0"}).code, 0);

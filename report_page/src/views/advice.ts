@@ -69,7 +69,14 @@ export function adviceView(app: App): View {
   const element = h(
     "section",
     { class: "view-advice" },
-    h("div", { class: "controls" }, goal.element, h("label", { class: "amount" }, amount, unit), cost.element, error.element),
+    h(
+      "div",
+      { class: "controls" },
+      goal.element,
+      h("label", { class: "amount" }, amount, unit),
+      cost.element,
+      error.element,
+    ),
     answers,
     h(
       "p",
@@ -117,7 +124,9 @@ function goalWords(goal: Goal, cost: Metric, error: Metric): string {
 
 function answerElement(app: App, group: Group, goal: Goal, cost: Metric, error: Metric): HTMLElement {
   const advice = advise(group.points.points, goal);
-  const views = new Set(group.points.points.flatMap((point) => point.cells.map((cell) => viewOf(app.run().cells.id[cell]!))));
+  const views = new Set(
+    group.points.points.flatMap((point) => point.cells.map((cell) => viewOf(app.run().cells.id[cell]!))),
+  );
   return h(
     "article",
     { class: "answer" },
@@ -125,7 +134,11 @@ function answerElement(app: App, group: Group, goal: Goal, cost: Metric, error: 
     ...answerWords(app, advice, goal, cost, error),
     views.size > 1 ? h("p", { class: "muted small" }, `Worst of ${views.size} views.`) : null,
     group.points.incomplete > 0
-      ? h("p", { class: "muted small" }, `${counted(group.points.incomplete, "setting")} left out: not measured in all of these views.`)
+      ? h(
+          "p",
+          { class: "muted small" },
+          `${counted(group.points.incomplete, "setting")} left out: not measured in all of these views.`,
+        )
       : null,
   );
 }
@@ -147,7 +160,10 @@ function answerWords(app: App, advice: Advice, goal: Goal, cost: Metric, error: 
   const { winner, runnerUp, nearest } = advice;
   if (winner === null) {
     if (nearest === null) return [h("p", {}, "Nothing here finds enough of its hits to be advised.")];
-    const reach = goal.kind === "budget" ? `the cheapest takes ${metricText(cost, nearest.cost)}` : `the best reaches ${metricText(error, nearest.error)}`;
+    const reach =
+      goal.kind === "budget"
+        ? `the cheapest takes ${metricText(cost, nearest.cost)}`
+        : `the best reaches ${metricText(error, nearest.error)}`;
     return [h("p", {}, "Nothing does that; ", reach, ": ", pinnable(app, nearest), ".")];
   }
   const words = [
@@ -161,7 +177,13 @@ function answerWords(app: App, advice: Advice, goal: Goal, cost: Metric, error: 
   ];
   if (runnerUp !== null) {
     words.push(
-      h("p", { class: "runner-up" }, "Of the other techniques, the best is ", pinnable(app, runnerUp), `: ${comparedWords(goal, winner, runnerUp, cost, error)}.`),
+      h(
+        "p",
+        { class: "runner-up" },
+        "Of the other techniques, the best is ",
+        pinnable(app, runnerUp),
+        `: ${comparedWords(goal, winner, runnerUp, cost, error)}.`,
+      ),
     );
   } else {
     words.push(h("p", { class: "runner-up" }, "No other technique does it."));

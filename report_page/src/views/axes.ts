@@ -18,7 +18,12 @@ export function axesView(app: App): View {
   const costs = costMetrics(cells);
   const all = abscissas(cells);
   const options = (metrics: Metric[]) => metrics.map((metric) => ({ value: metric.id, label: metricTitle(metric) }));
-  const x = choose("Over", all.map(({ id, label }) => ({ value: id, label })), "", (value) => app.update({ x: value }));
+  const x = choose(
+    "Over",
+    all.map(({ id, label }) => ({ value: id, label })),
+    "",
+    (value) => app.update({ x: value }),
+  );
   const cost = choose("Cost", options(costs), "", (value) => app.update({ cost: value }));
   const error = choose("Error", options(errors), "", (value) => app.update({ error: value }));
   const pin = (data: unknown) => {
@@ -63,17 +68,26 @@ export function axesView(app: App): View {
 
 function notes(app: App, found: Line[], x: Abscissa): string[] {
   const texts: string[] = [];
-  if (found.length > mostLines) texts.push(`Showing ${mostLines} of ${counted(found.length, "line")}: filter to see the others.`);
+  if (found.length > mostLines)
+    texts.push(`Showing ${mostLines} of ${counted(found.length, "line")}: filter to see the others.`);
   if (found.some((line) => line.points.some((point) => point.cells.length > 1))) {
     texts.push("Points of several cells are means: geometric of the cost, arithmetic of the error.");
   }
   if (mixesViews(app.run().cells, found, x)) {
-    texts.push("Along a line other axes change too, and a slope may be theirs: filter for one height map or projection to compare like with like.");
+    texts.push(
+      "Along a line other axes change too, and a slope may be theirs: filter for one height map or projection to compare like with like.",
+    );
   }
   return texts;
 }
 
-function lineOption(app: App, all: Line[], x: Abscissa, metric: Metric, of: (point: LinePoint) => number | null): Option {
+function lineOption(
+  app: App,
+  all: Line[],
+  x: Abscissa,
+  metric: Metric,
+  of: (point: LinePoint) => number | null,
+): Option {
   const ink = currentInk();
   const points = all.flatMap((line) => line.points);
   const y = logRange(points.map(of).filter((value): value is number => value !== null));
@@ -99,7 +113,17 @@ function lineOption(app: App, all: Line[], x: Abscissa, metric: Metric, of: (poi
       max: x.scale === "log" ? xRange.max : Number((greatestX + room * span).toPrecision(3)),
       axisLabel: labelStyle(ink, x.scale === "log" ? powerText : (value) => String(Number(value.toPrecision(4)))),
     },
-    yAxis: { ...axisStyle(ink, ""), type: "log", logBase: logBase(y), min: y.min, max: y.max, axisLabel: { ...labelStyle(ink, (value) => (y.hasZero && value === y.min ? "0" : powerText(value))), showMinLabel: y.hasZero } },
+    yAxis: {
+      ...axisStyle(ink, ""),
+      type: "log",
+      logBase: logBase(y),
+      min: y.min,
+      max: y.max,
+      axisLabel: {
+        ...labelStyle(ink, (value) => (y.hasZero && value === y.min ? "0" : powerText(value))),
+        showMinLabel: y.hasZero,
+      },
+    },
     dataZoom: [
       { type: "inside", xAxisIndex: 0, filterMode: "none" },
       { type: "inside", yAxisIndex: 0, filterMode: "none" },
@@ -114,7 +138,15 @@ function lineOption(app: App, all: Line[], x: Abscissa, metric: Metric, of: (poi
 }
 
 function labelStyle(ink: Ink, formatter: (value: number) => string): object {
-  return { color: ink.muted, fontFamily: ink.font, fontSize: ink.size, hideOverlap: true, showMinLabel: false, showMaxLabel: false, formatter };
+  return {
+    color: ink.muted,
+    fontFamily: ink.font,
+    fontSize: ink.size,
+    hideOverlap: true,
+    showMinLabel: false,
+    showMaxLabel: false,
+    formatter,
+  };
 }
 
 function lineSeries(app: App, ink: Ink, line: Line, zero: number, of: (point: LinePoint) => number | null): object {
@@ -129,7 +161,9 @@ function lineSeries(app: App, ink: Ink, line: Line, zero: number, of: (point: Li
         value: [point.x, of(point)! > 0 ? of(point)! : zero],
         line,
         point,
-        ...(point.cells.includes(pinned) ? { symbolSize: ink.size * 1.3, itemStyle: { borderColor: ink.accent, borderWidth: 2.5 } } : {}),
+        ...(point.cells.includes(pinned)
+          ? { symbolSize: ink.size * 1.3, itemStyle: { borderColor: ink.accent, borderWidth: 2.5 } }
+          : {}),
       })),
     symbol: mark.symbol,
     symbolSize: ink.size * 0.72,
@@ -153,7 +187,20 @@ function pointTooltip(
     "div",
     { class: "tip" },
     settingElement(app, line.name, line.technique),
-    h("dl", {}, h("dt", {}, x.label), h("dd", {}, significant(point.x)), h("dt", {}, metric.label), h("dd", {}, metricText(metric, of(point)))),
-    h("div", { class: "muted" }, point.cells.length > 1 ? `mean of ${counted(point.cells.length, "cell")}; click to pin the first` : "click to pin"),
+    h(
+      "dl",
+      {},
+      h("dt", {}, x.label),
+      h("dd", {}, significant(point.x)),
+      h("dt", {}, metric.label),
+      h("dd", {}, metricText(metric, of(point))),
+    ),
+    h(
+      "div",
+      { class: "muted" },
+      point.cells.length > 1
+        ? `mean of ${counted(point.cells.length, "cell")}; click to pin the first`
+        : "click to pin",
+    ),
   );
 }

@@ -82,7 +82,13 @@ export function cellsView(app: App): View {
   const { cells } = app.run();
   const query = h("input", {
     class: "query",
-    attrs: { id: "query", type: "search", placeholder: "pom rock uv<0.5 ms<2 −perspective status:failed", "aria-label": "Search", spellcheck: false },
+    attrs: {
+      id: "query",
+      type: "search",
+      placeholder: "pom rock uv<0.5 ms<2 −perspective status:failed",
+      "aria-label": "Search",
+      spellcheck: false,
+    },
     on: { input: () => app.update({ query: query.value }) },
   });
   const count = h("span", { class: "muted", attrs: { id: "row-count" } });
@@ -94,7 +100,12 @@ export function cellsView(app: App): View {
     rowClass: (cell) => `pinnable${cell === app.pinned() ? " pinned" : ""}`,
   });
   const anyTrouble = (cells.words["status"]?.values.length ?? 0) > 1;
-  const [status, setting, view, reason] = wordColumns(app) as [Column<number>, Column<number>, Column<number>, Column<number>];
+  const [status, setting, view, reason] = wordColumns(app) as [
+    Column<number>,
+    Column<number>,
+    Column<number>,
+    Column<number>,
+  ];
 
   return {
     name: "cells",
@@ -104,7 +115,15 @@ export function cellsView(app: App): View {
       { class: "view-cells" },
       h("div", { class: "controls" }, query, count, picker),
       table.element,
-      h("p", { class: "note" }, h("span", {}, "Words search; −word leaves out; uv<0.5 bounds a column by its title or by its field (error.uv_texels.p99<0.5).")),
+      h(
+        "p",
+        { class: "note" },
+        h(
+          "span",
+          {},
+          "Words search; −word leaves out; uv<0.5 bounds a column by its title or by its field (error.uv_texels.p99<0.5).",
+        ),
+      ),
     ),
     refresh() {
       if (document.activeElement !== query) query.value = app.state.query;
@@ -125,7 +144,10 @@ function figureColumns(app: App): Column<number>[] {
   const figures =
     chosen.length === 0
       ? usual.filter(({ id }) => hasFigure(cells, id))
-      : chosen.map((id) => usual.find((column) => column.id === id) ?? { id, title: id.replace(/^(time|error|work)\./, ""), help: id });
+      : chosen.map(
+          (id) =>
+            usual.find((column) => column.id === id) ?? { id, title: id.replace(/^(time|error|work)\./, ""), help: id },
+        );
   return figures.map((figure) => figureColumn(cells, figure));
 }
 
@@ -155,7 +177,11 @@ function columnPicker(app: App): HTMLElement {
     h(
       "div",
       { class: "picker-list" },
-      h("button", { class: "link", attrs: { type: "button" }, on: { click: () => app.update({ columns: [] }) } }, "the usual ones"),
+      h(
+        "button",
+        { class: "link", attrs: { type: "button" }, on: { click: () => app.update({ columns: [] }) } },
+        "the usual ones",
+      ),
       ...Object.keys(cells.numbers).map((id) => {
         const box = h("input", {
           attrs: { type: "checkbox", checked: shown().includes(id) },

@@ -2,7 +2,16 @@
 
 import type { App, View } from "../app.ts";
 import { axisStyle, Chart, currentInk, type Option, tooltipStyle } from "../chart.ts";
-import { type CellVerdict, type ComparisonResult, type Json, numberOf, type QualityChange, settingOf, type Verdict, viewOf } from "../data.ts";
+import {
+  type CellVerdict,
+  type ComparisonResult,
+  type Json,
+  numberOf,
+  type QualityChange,
+  settingOf,
+  type Verdict,
+  viewOf,
+} from "../data.ts";
 import { settingElement } from "../describe.ts";
 import { fill, h } from "../dom.ts";
 import { changeText, counted, extent, significant } from "../numbers.ts";
@@ -23,8 +32,17 @@ export function changesView(app: App): View | null {
     element: h(
       "section",
       { class: "view-changes" },
-      h("p", { class: "sides" }, h("span", { class: "muted" }, "From "), comparison.base.join(", "), h("span", { class: "muted" }, " to "), comparison.new.join(", ")),
-      comparison.failure === null ? null : h("p", { class: "warning" }, `These runs were not compared: ${comparison.failure}`),
+      h(
+        "p",
+        { class: "sides" },
+        h("span", { class: "muted" }, "From "),
+        comparison.base.join(", "),
+        h("span", { class: "muted" }, " to "),
+        comparison.new.join(", "),
+      ),
+      comparison.failure === null
+        ? null
+        : h("p", { class: "warning" }, `These runs were not compared: ${comparison.failure}`),
       content?.element ?? null,
     ),
     refresh: () => content?.refresh(),
@@ -97,12 +115,22 @@ function verdictButtons(app: App, cells: readonly CellVerdict[]): HTMLElement[] 
 }
 
 function verdictColour(app: App, verdict: Verdict): string {
-  const light: Record<Verdict, string> = { slower: "#c85200", faster: "#0072b2", undecided: "#8a8f98", same: "#b9bdc4" };
+  const light: Record<Verdict, string> = {
+    slower: "#c85200",
+    faster: "#0072b2",
+    undecided: "#8a8f98",
+    same: "#b9bdc4",
+  };
   const dark: Record<Verdict, string> = { slower: "#f2854a", faster: "#4ea6e6", undecided: "#8b93a0", same: "#565d68" };
   return (app.theme === "dark" ? dark : light)[verdict];
 }
 
-const verdictSymbols: Record<Verdict, string> = { slower: "triangle", faster: "path://M5 9.3L0.2 0.8H9.8Z", undecided: "diamond", same: "circle" };
+const verdictSymbols: Record<Verdict, string> = {
+  slower: "triangle",
+  faster: "path://M5 9.3L0.2 0.8H9.8Z",
+  undecided: "diamond",
+  same: "circle",
+};
 
 /** Ratio over the base's time: whether it is the long draws that moved. */
 function ratioOption(app: App, cells: readonly CellVerdict[], result: ComparisonResult): Option {
@@ -114,14 +142,26 @@ function ratioOption(app: App, cells: readonly CellVerdict[], result: Comparison
   const data = (verdict: Verdict) =>
     cells
       .filter((cell) => cell.verdict === verdict && cell.ratio !== null)
-      .map((cell) => ({ value: [numberOf(of, "time.draw.median_ms", index.get(cell.cell) ?? -1) ?? 0, cell.ratio!], cell }))
+      .map((cell) => ({
+        value: [numberOf(of, "time.draw.median_ms", index.get(cell.cell) ?? -1) ?? 0, cell.ratio!],
+        cell,
+      }))
       .filter(({ value }) => value[0]! > 0);
   const shown = verdicts.flatMap(data).map(({ value }) => value as [number, number]);
   const x = logRange(shown.map(([ms]) => ms));
-  const reach = Math.exp(1.15 * extent([2 * Math.log1p(threshold), ...shown.map(([, ratio]) => Math.abs(Math.log(ratio)))])[1]);
-  const label = { color: ink.muted, fontFamily: ink.font, fontSize: ink.size, showMinLabel: false, showMaxLabel: false };
+  const reach = Math.exp(
+    1.15 * extent([2 * Math.log1p(threshold), ...shown.map(([, ratio]) => Math.abs(Math.log(ratio)))])[1],
+  );
+  const label = {
+    color: ink.muted,
+    fontFamily: ink.font,
+    fontSize: ink.size,
+    showMinLabel: false,
+    showMaxLabel: false,
+  };
   // Small changes read best on a linear scale; doubling and halving lie as far from 1.
-  const scale = reach < 2 ? { type: "value", min: 2 - reach, max: reach } : { type: "log", logBase: 2, min: 1 / reach, max: reach };
+  const scale =
+    reach < 2 ? { type: "value", min: 2 - reach, max: reach } : { type: "log", logBase: 2, min: 1 / reach, max: reach };
   return {
     grid: { left: ink.size * 6, right: ink.size * 2, top: ink.size * 1.5, bottom: ink.size * 4 },
     xAxis: {
@@ -145,7 +185,8 @@ function ratioOption(app: App, cells: readonly CellVerdict[], result: Comparison
     ],
     tooltip: {
       ...tooltipStyle(ink),
-      formatter: (parameters: { data?: { cell?: CellVerdict } }) => (parameters.data?.cell ? verdictTooltip(app, parameters.data.cell) : ""),
+      formatter: (parameters: { data?: { cell?: CellVerdict } }) =>
+        parameters.data?.cell ? verdictTooltip(app, parameters.data.cell) : "",
     },
     series: [...verdicts].reverse().map((verdict) => ({
       type: "scatter",
@@ -153,7 +194,12 @@ function ratioOption(app: App, cells: readonly CellVerdict[], result: Comparison
       symbol: verdictSymbols[verdict],
       symbolSize: ink.size * 0.8,
       itemStyle: { color: verdictColour(app, verdict), borderColor: ink.panel, borderWidth: 1 },
-      markLine: { silent: true, symbol: "none", label: { show: false }, data: [level(1 + threshold), level(1 / (1 + threshold))] },
+      markLine: {
+        silent: true,
+        symbol: "none",
+        label: { show: false },
+        data: [level(1 + threshold), level(1 / (1 + threshold))],
+      },
     })),
   };
 }
@@ -173,7 +219,14 @@ function verdictTooltip(app: App, cell: CellVerdict): HTMLElement {
     { class: "tip" },
     settingElement(app, settingOf(cell.cell), techniqueIn(cell.cell)),
     h("div", { class: "muted" }, viewOf(cell.cell)),
-    h("dl", {}, h("dt", {}, cell.verdict), h("dd", {}, changeText(cell.ratio)), h("dt", {}, "95 % interval"), h("dd", {}, intervalText(cell))),
+    h(
+      "dl",
+      {},
+      h("dt", {}, cell.verdict),
+      h("dd", {}, changeText(cell.ratio)),
+      h("dt", {}, "95 % interval"),
+      h("dd", {}, intervalText(cell)),
+    ),
     h("div", { class: "wrap" }, cell.reason),
   );
 }
@@ -191,7 +244,14 @@ function verdictColumns(app: App): Column<CellVerdict>[] {
       key: (row) => verdicts.indexOf(row.verdict),
       content: (row) => h("span", { class: `verdict-word ${row.verdict}` }, row.verdict),
     },
-    { id: "ratio", title: "Time", help: "New time against base time", number: true, key: (row) => row.ratio, content: (row) => changeText(row.ratio) },
+    {
+      id: "ratio",
+      title: "Time",
+      help: "New time against base time",
+      number: true,
+      key: (row) => row.ratio,
+      content: (row) => changeText(row.ratio),
+    },
     { id: "interval", title: "95 % interval", number: true, key: (row) => row.ci95[0], content: intervalText },
     {
       id: "visible",
@@ -201,7 +261,13 @@ function verdictColumns(app: App): Column<CellVerdict>[] {
       key: (row) => row.visible,
       content: (row) => (row.visible === null ? "–" : `${significant(100 * row.visible, 2)} %`),
     },
-    { id: "setting", title: "Technique and parameters", number: false, key: (row) => settingOf(row.cell), content: (row) => settingElement(app, settingOf(row.cell), techniqueIn(row.cell)) },
+    {
+      id: "setting",
+      title: "Technique and parameters",
+      number: false,
+      key: (row) => settingOf(row.cell),
+      content: (row) => settingElement(app, settingOf(row.cell), techniqueIn(row.cell)),
+    },
     { id: "view", title: "View", number: false, key: (row) => viewOf(row.cell), content: (row) => viewOf(row.cell) },
     {
       id: "quality",
@@ -212,7 +278,11 @@ function verdictColumns(app: App): Column<CellVerdict>[] {
         const changes = row.quality.changes.filter((change) => change.worse || change.better);
         return changes.length === 0
           ? row.quality.verdict
-          : h("span", { class: `quality ${row.quality.verdict}`, title: changes.map(qualityText).join("\n") }, `${row.quality.verdict}: ${qualityText(changes[0]!)}${changes.length > 1 ? `, and ${changes.length - 1} more` : ""}`);
+          : h(
+              "span",
+              { class: `quality ${row.quality.verdict}`, title: changes.map(qualityText).join("\n") },
+              `${row.quality.verdict}: ${qualityText(changes[0]!)}${changes.length > 1 ? `, and ${changes.length - 1} more` : ""}`,
+            );
       },
     },
     { id: "why", title: "Why", number: false, key: (row) => row.reason, content: (row) => row.reason },
@@ -226,7 +296,22 @@ function uncomparedElement(result: ComparisonResult): HTMLElement | null {
     "details",
     { class: "troubles", attrs: { open: result.uncompared.some((cell) => cell.failed_now) } },
     h("summary", {}, `${counted(result.uncompared.length, "cell")} not compared`),
-    h("ul", {}, ...result.uncompared.slice(0, most).map((cell) => h("li", {}, cell.failed_now ? h("b", {}, "failed now: ") : null, h("code", {}, cell.cell), ": ", h("span", { class: "reason" }, cell.reason)))),
+    h(
+      "ul",
+      {},
+      ...result.uncompared
+        .slice(0, most)
+        .map((cell) =>
+          h(
+            "li",
+            {},
+            cell.failed_now ? h("b", {}, "failed now: ") : null,
+            h("code", {}, cell.cell),
+            ": ",
+            h("span", { class: "reason" }, cell.reason),
+          ),
+        ),
+    ),
     result.uncompared.length > most ? h("p", { class: "muted" }, `and ${result.uncompared.length - most} more`) : null,
   );
 }
@@ -240,7 +325,21 @@ function evidenceElement(result: ComparisonResult): HTMLElement {
     "details",
     { class: "evidence" },
     h("summary", {}, "What this rests on"),
-    h("p", {}, `A change counts from ${significant(100 * (result.threshold ?? 0), 2)} % on. The unit of evidence is the ${result.unit.replace(/s$/, "")}.`),
-    h("table", { class: "figures" }, h("tbody", {}, ...rows(result.environment, "").map(([key, text]) => h("tr", {}, h("td", {}, key), h("td", { class: "value" }, text))))),
+    h(
+      "p",
+      {},
+      `A change counts from ${significant(100 * (result.threshold ?? 0), 2)} % on. The unit of evidence is the ${result.unit.replace(/s$/, "")}.`,
+    ),
+    h(
+      "table",
+      { class: "figures" },
+      h(
+        "tbody",
+        {},
+        ...rows(result.environment, "").map(([key, text]) =>
+          h("tr", {}, h("td", {}, key), h("td", { class: "value" }, text)),
+        ),
+      ),
+    ),
   );
 }

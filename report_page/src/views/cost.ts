@@ -1,40 +1,39 @@
 // Quality against cost: a scatter with the Pareto front.
 
 import type { App, View } from "../app.ts";
-import { axisStyle, Chart, currentInk, type Ink, type Option, tooltipStyle } from "../chart.ts";
-import { axisColumn, axisValueText, type Cells, settingOf, sortedValues, techniqueOf, textOf, valueText, variedAxes, viewLabel, viewOf } from "../data.ts";
-import { cellTooltip, settingElement } from "../describe.ts";
+import { Chart } from "../chart.ts";
+import {
+  axisColumn,
+  axisValueText,
+  type Cells,
+  settingOf,
+  sortedValues,
+  techniqueOf,
+  textOf,
+  valueText,
+  variedAxes,
+  viewLabel,
+  viewOf,
+} from "../data.ts";
+import { settingElement } from "../describe.ts";
 import { choose, fill, h, segments } from "../dom.ts";
-import { costMetrics, errorMetrics, hitsWithinLimit, type Metric, metricById, metricText, metricTitle } from "../metrics.ts";
-import { counted } from "../numbers.ts";
-import { markOf } from "../palette.ts";
-import { paretoFront } from "../pareto.ts";
 import { reasonGroups } from "../filter.ts";
-import { logBase, type LogRange, logRange, powerText } from "../scales.ts";
+import {
+  costMetrics,
+  errorMetrics,
+  hitsWithinLimit,
+  type Metric,
+  metricById,
+  metricText,
+  metricTitle,
+} from "../metrics.ts";
+import { counted } from "../numbers.ts";
+import { paretoFront } from "../pareto.ts";
 import { settingPoints } from "../settings.ts";
 import type { PointsMode } from "../state.ts";
-
-/** One point of the scatter: a cell, or a setting over several. */
-interface Mark {
-  /** The cell that a click pins: the setting's first. */
-  cell: number;
-  technique: string;
-  cost: number;
-  error: number;
-  counts: boolean;
-  setting: string | null;
-}
-
-interface Panel {
-  title: string;
-  marks: Mark[];
-  front: number[];
-  views: number;
-}
+import { chartOption, type Mark, type Panel, panelLayout } from "./cost_chart.ts";
 
 const mostPanels = 12;
-/** More are drawn smaller. */
-const manyMarks = 1500;
 /** Pixels, of a chart that is not yet on the page. */
 const usualWidth = 1000;
 /** So many views are told apart by panels of their own, unless something else is chosen. */
@@ -72,7 +71,14 @@ function cellMarks(cells: Cells, members: readonly number[], cost: Metric, error
     const x = cost.of(cells, cell);
     const y = error.of(cells, cell);
     if (x === null || y === null) continue;
-    marks.push({ cell, technique: techniqueOf(cells, cell), cost: x, error: y, counts: hitsWithinLimit(cells, cell), setting: null });
+    marks.push({
+      cell,
+      technique: techniqueOf(cells, cell),
+      cost: x,
+      error: y,
+      counts: hitsWithinLimit(cells, cell),
+      setting: null,
+    });
   }
   return marks;
 }
@@ -149,7 +155,7 @@ export function costView(app: App): View {
         .slice(0, mostPanels)
         .map(([title, members]) => makePanel(app, title, members, costMetric, errorMetric));
       chart.element.hidden = panels.length === 0;
-      chart.element.style.setProperty("--rows", String(layout(panels.length).rows));
+      chart.element.style.setProperty("--rows", String(panelLayout(panels.length).rows));
       chart.show(chartOption(app, panels, costMetric, errorMetric, chart.element.clientWidth || usualWidth));
       fill(note, ...noteTexts(app, panels, all.length).map((text) => h("span", {}, text)));
       fill(front, panels.length === 1 ? frontTable(app, panels[0]!, costMetric, errorMetric) : null);
@@ -169,9 +175,17 @@ function troubles(app: App): HTMLElement | null {
     h(
       "ul",
       {},
-      ...groups.slice(0, 20).map((group) =>
-        h("li", {}, h("b", {}, `${group.cells.length} ${group.status}`), ": ", h("span", { class: "reason" }, group.reason)),
-      ),
+      ...groups
+        .slice(0, 20)
+        .map((group) =>
+          h(
+            "li",
+            {},
+            h("b", {}, `${group.cells.length} ${group.status}`),
+            ": ",
+            h("span", { class: "reason" }, group.reason),
+          ),
+        ),
     ),
   );
 }
@@ -181,7 +195,9 @@ function noteTexts(app: App, panels: Panel[], wanted: number): string[] {
   if (panels.length === 0) texts.push("The filter leaves no measured cell.");
   if (wanted > panels.length) texts.push(`Showing ${panels.length} of ${wanted} panels: filter to see the others.`);
   if (app.state.points === "cells" && panels.some((panel) => panel.views > 1)) {
-    texts.push("Panels here mix several views, and easy ones lead the front: filter, use one panel per view, or take the mean over views.");
+    texts.push(
+      "Panels here mix several views, and easy ones lead the front: filter, use one panel per view, or take the mean over views.",
+    );
   }
   const hidden = panels.reduce((sum, panel) => sum + panel.marks.filter((mark) => !mark.counts).length, 0);
   if (hidden > 0) {
@@ -190,178 +206,9 @@ function noteTexts(app: App, panels: Panel[], wanted: number): string[] {
       `Faint: ${hidden} with missed and false hits above 0.5 % of the footprint${where}, whose errors do not count; they are kept off the front.`,
     );
   }
-  if (panels.length > 0) texts.push("Lower left is better. The line is the Pareto front: nothing is both cheaper and better.");
+  if (panels.length > 0)
+    texts.push("Lower left is better. The line is the Pareto front: nothing is both cheaper and better.");
   return texts;
-}
-
-function layout(count: number): { columns: number; rows: number } {
-  const columns = count <= 3 ? Math.max(1, count) : count === 4 ? 2 : count <= 6 ? 3 : 4;
-  return { columns, rows: Math.ceil(count / columns) };
-}
-
-interface PlotDatum {
-  value: [number, number];
-  cell: number;
-  mark: Mark;
-}
-
-function chartOption(app: App, panels: Panel[], cost: Metric, error: Metric, chartWidth: number): Option {
-  const ink = currentInk();
-  const { columns, rows } = layout(panels.length);
-  const x = logRange(panels.flatMap((panel) => panel.marks.map((mark) => mark.cost)));
-  const y = logRange(panels.flatMap((panel) => panel.marks.map((mark) => mark.error)));
-  const grids = panels.map((panel, at) => panelGrid(ink, panel, at, columns, rows, chartWidth));
-  const many = panels.reduce((sum, panel) => sum + panel.marks.length, 0) > manyMarks;
-  const isLeft = (at: number) => at % columns === 0;
-  const isLowest = (at: number) => at + columns >= panels.length;
-  return {
-    title: grids.map((grid) => grid.title),
-    grid: grids.map((grid) => grid.grid),
-    xAxis: panels.map((_, at) => ({
-      ...logAxis(ink, isLowest(at) ? metricTitle(cost) : "", x, isLowest(at)),
-      nameGap: ink.size * 2.1,
-      gridIndex: at,
-    })),
-    yAxis: panels.map((_, at) => ({
-      ...logAxis(ink, isLeft(at) ? metricTitle(error) : "", y, isLeft(at)),
-      nameGap: ink.size * 3.9,
-      gridIndex: at,
-    })),
-    dataZoom: panels.flatMap((_, at) => [
-      { type: "inside", xAxisIndex: at, filterMode: "none" },
-      { type: "inside", yAxisIndex: at, filterMode: "none" },
-    ]),
-    tooltip: {
-      ...tooltipStyle(ink),
-      formatter: (parameters: { data?: PlotDatum }) =>
-        parameters.data?.mark ? markTooltip(app, parameters.data.mark, cost, error) : "",
-    },
-    series: panels.flatMap((panel, at) => panelSeries(app, ink, panel, at, x, y, many)),
-  };
-}
-
-/** Panels share their scales, and only those at the left and at the bottom have labels. Per cent of the chart. */
-function panelGrid(
-  ink: Ink,
-  panel: Panel,
-  at: number,
-  columns: number,
-  rows: number,
-  chartWidth: number,
-): { title: object; grid: object } {
-  const left = (100 * 6.3 * ink.size) / chartWidth;
-  const bottom = 12 / rows;
-  const width = (100 - left - 1) / columns;
-  const height = (100 - bottom - 1) / rows;
-  const x = left + (at % columns) * width;
-  const y = 1 + Math.floor(at / columns) * height;
-  const titleRoom = panel.title === "" ? 1 : 9 / rows;
-  return {
-    title: {
-      text: panel.title,
-      left: `${x}%`,
-      top: `${y + 0.5}%`,
-      padding: [5, 0],
-      textStyle: { color: ink.text, fontFamily: ink.font, fontSize: ink.size * 1.05, fontWeight: 600, overflow: "truncate", width: 1000 / columns },
-    },
-    grid: { left: `${x}%`, top: `${y + titleRoom}%`, width: `${width - 1.8}%`, height: `${height - titleRoom - 2}%`, containLabel: false },
-  };
-}
-
-function logAxis(ink: Ink, name: string, range: LogRange, labelled: boolean): Record<string, unknown> {
-  return {
-    ...axisStyle(ink, name),
-    type: "log",
-    logBase: logBase(range),
-    min: range.min,
-    max: range.max,
-    axisLabel: {
-      color: ink.muted,
-      fontFamily: ink.font,
-      fontSize: ink.size,
-      hideOverlap: true,
-      show: labelled,
-      formatter: (value: number) => (range.hasZero && value === range.min ? "0" : powerText(value)),
-      showMinLabel: range.hasZero,
-      showMaxLabel: false,
-    },
-  };
-}
-
-function panelSeries(
-  app: App,
-  ink: Ink,
-  panel: Panel,
-  at: number,
-  x: LogRange,
-  y: LogRange,
-  many: boolean,
-): object[] {
-  const place = (mark: Mark): [number, number] => [mark.cost > 0 ? mark.cost : x.zero, mark.error > 0 ? mark.error : y.zero];
-  const byTechnique = new Map<string, PlotDatum[]>();
-  for (const mark of panel.marks) {
-    const datum = { value: place(mark), cell: mark.cell, mark, ...(mark.counts ? {} : { itemStyle: { opacity: 0.28 } }) };
-    const data = byTechnique.get(mark.technique);
-    if (data) data.push(datum);
-    else byTechnique.set(mark.technique, [datum]);
-  }
-  const scatters = [...byTechnique].map(([technique, data]) => {
-    const mark = markOf(app.position(technique), app.theme);
-    return {
-      type: "scatter",
-      name: technique,
-      xAxisIndex: at,
-      yAxisIndex: at,
-      data,
-      symbol: mark.symbol,
-      symbolSize: many ? ink.size * 0.5 : ink.size * 0.85,
-      itemStyle: { color: mark.colour, opacity: many ? 0.65 : 0.92, borderColor: ink.panel, borderWidth: many ? 0 : 1 },
-      emphasis: { scale: 1.6 },
-      progressive: 0,
-      z: 3,
-    };
-  });
-  const front = {
-    type: "line",
-    xAxisIndex: at,
-    yAxisIndex: at,
-    data: panel.front.map((mark) => place(panel.marks[mark]!)),
-    step: "end",
-    symbol: "none",
-    silent: true,
-    lineStyle: { color: ink.text, width: 1.5, opacity: many ? 0.9 : 0.55 },
-    // Under few points, over a cloud of them.
-    z: many ? 4 : 2,
-  };
-  return [front, ...scatters, pinRing(app, ink, panel, at, place)];
-}
-
-function pinRing(app: App, ink: Ink, panel: Panel, at: number, place: (mark: Mark) => [number, number]): object {
-  const pinned = app.pinned();
-  const setting = pinned < 0 ? "" : settingOf(app.run().cells.id[pinned]!);
-  const marks = panel.marks.filter((mark) => (mark.setting === null ? mark.cell === pinned : mark.setting === setting));
-  return {
-    type: "scatter",
-    xAxisIndex: at,
-    yAxisIndex: at,
-    data: marks.map(place),
-    symbol: "circle",
-    symbolSize: ink.size * 1.9,
-    itemStyle: { color: "transparent", borderColor: ink.accent, borderWidth: 2.5 },
-    silent: true,
-    z: 5,
-  };
-}
-
-function markTooltip(app: App, mark: Mark, cost: Metric, error: Metric): HTMLElement {
-  if (mark.setting === null) return cellTooltip(app, mark.cell, [cost, error]);
-  return h(
-    "div",
-    { class: "tip" },
-    settingElement(app, mark.setting, mark.technique),
-    h("dl", {}, h("dt", {}, cost.label), h("dd", {}, metricText(cost, mark.cost)), h("dt", {}, error.label), h("dd", {}, metricText(error, mark.error))),
-    h("div", { class: "muted" }, "click to pin its first cell"),
-  );
 }
 
 /** The front in figures. */
@@ -371,7 +218,17 @@ function frontTable(app: App, panel: Panel, cost: Metric, error: Metric): HTMLEl
     "table",
     { class: "figures" },
     h("caption", {}, "The Pareto front"),
-    h("thead", {}, h("tr", {}, h("th", {}, "Setting"), h("th", { class: "number" }, metricTitle(cost)), h("th", { class: "number" }, metricTitle(error)))),
+    h(
+      "thead",
+      {},
+      h(
+        "tr",
+        {},
+        h("th", {}, "Setting"),
+        h("th", { class: "number" }, metricTitle(cost)),
+        h("th", { class: "number" }, metricTitle(error)),
+      ),
+    ),
     h(
       "tbody",
       {},

@@ -1,8 +1,10 @@
 // The pinned cell's pictures: truth, technique and error map side by side, with a slider, a flip and a magnifier.
 
 import type { App, View } from "../app.ts";
+import type { MapLegend } from "../data.ts";
 import { choose, fill, h, segments } from "../dom.ts";
-import { draw, type Picture, Pictures } from "../pictures.ts";
+import { significant } from "../numbers.ts";
+import { bytesOfBase64, draw, type Picture, Pictures, valueOfColour } from "../pictures.ts";
 import type { PictureMode } from "../state.ts";
 import { pinFirst } from "./timing.ts";
 
@@ -35,7 +37,12 @@ export function picturesView(app: App): View {
     (value) => app.update({ mode: value as PictureMode }),
   );
   const names = mapNames(app);
-  const map = choose("Map", names.map((name) => ({ value: name, label: mapTitle(name) })), "", (value) => app.update({ map: value }));
+  const map = choose(
+    "Map",
+    names.map((name) => ({ value: name, label: mapTitle(name) })),
+    "",
+    (value) => app.update({ map: value }),
+  );
   const stage = h("div", { class: "stage" });
   const lens = h("div", { class: "lens", attrs: { "aria-live": "off" } });
   const empty = h("div", {});
@@ -54,11 +61,12 @@ export function picturesView(app: App): View {
   let pixel: Pixel | null = null;
   let drawn = "";
 
-  const refreshLens = () => fill(lens, ...lensElements(shown, pixel, mapName(app)));
+  const refreshLens = () => fill(lens, ...lensElements(shown, pixel, mapTitle(mapName(app)), legendOf(app)));
   const point = (next: Pixel | null) => {
     pixel = next;
     refreshLens();
-    for (const cross of stage.querySelectorAll<HTMLElement>(".cross")) placeCross(cross, shown.technique ?? shown.truth, pixel);
+    for (const cross of stage.querySelectorAll<HTMLElement>(".cross"))
+      placeCross(cross, shown.technique ?? shown.truth, pixel);
   };
   const flip = () => {
     showsTruth = !showsTruth;
@@ -69,7 +77,11 @@ export function picturesView(app: App): View {
     stage.dataset["mode"] = app.state.mode;
     if (app.state.mode === "side") fill(stage, ...sideBySide(shown, mapName(app), point));
     else if (app.state.mode === "slider") {
-      fill(stage, slider(shown, divider, (to) => (divider = to), point), mapPane(shown, mapName(app), point));
+      fill(
+        stage,
+        slider(shown, divider, (to) => (divider = to), point),
+        mapPane(shown, mapName(app), point),
+      );
     } else {
       fill(stage, flipPane(shown, point, flip), mapPane(shown, mapName(app), point));
       showFlip(stage, showsTruth);
@@ -107,7 +119,9 @@ export function picturesView(app: App): View {
         drawn = "";
         return;
       }
-      load().catch((problem: unknown) => fill(empty, h("p", { class: "warning" }, `The pictures cannot be unpacked: ${String(problem)}`)));
+      load().catch((problem: unknown) =>
+        fill(empty, h("p", { class: "warning" }, `The pictures cannot be unpacked: ${String(problem)}`)),
+      );
     },
     key(event) {
       if (event.key === " " && app.state.mode !== "slider") {
@@ -121,7 +135,12 @@ export function picturesView(app: App): View {
       }
       const size = shown.technique ?? shown.truth;
       const step = event.shiftKey ? 10 : 1;
-      const moves: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+      const moves: Record<string, [number, number]> = {
+        ArrowLeft: [-1, 0],
+        ArrowRight: [1, 0],
+        ArrowUp: [0, -1],
+        ArrowDown: [0, 1],
+      };
       const move = moves[event.key];
       if (move === undefined || size === null || app.pinned() < 0) return false;
       const from = pixel ?? middle(size)!;
@@ -150,8 +169,16 @@ function mapName(app: App): string {
   return Object.hasOwn(maps, app.state.map) ? app.state.map : (mapNames(app)[0] ?? "");
 }
 
+function legendOf(app: App): MapLegend | null {
+  const { legends } = app.run().pictures;
+  return Object.hasOwn(legends, mapName(app)) ? (legends[mapName(app)] ?? null) : null;
+}
+
 function mapTitle(name: string): string {
-  const words = name.replaceAll("_", " ").replace(/^uv\b/, "UV").replace(/^flip$/, "FLIP");
+  const words = name
+    .replaceAll("_", " ")
+    .replace(/^uv\b/, "UV")
+    .replace(/^flip$/, "FLIP");
   return words === "" ? "Error map" : words[0]!.toUpperCase() + words.slice(1);
 }
 
@@ -162,7 +189,7 @@ function wantedPictures(app: App): { truth: number; technique: number; map: numb
     truth: pictures.truth[cell] ?? -1,
     technique: pictures.technique[cell] ?? -1,
     map: pictures.maps[mapName(app)]?.[cell] ?? -1,
-    legend: pictures.legends[mapName(app)] ?? -1,
+    legend: legendOf(app)?.picture ?? -1,
   };
 }
 
@@ -173,7 +200,7 @@ function whyNone(app: App): HTMLElement | null {
   const { pictures } = app.run();
   const any = pictures.technique.some((at) => at >= 0);
   const text = !any
-    ? "This run kept no pictures. Set \"images\": true in its configuration, run it and make the report again."
+    ? 'This run kept no pictures. Set "images": true in its configuration, run it and make the report again.'
     : pictures.left_out > 0
       ? `The pictures of ${pictures.left_out} cells did not fit into this file, this cell's among them. reliefbench report --picture-megabytes makes room.`
       : "There are no pictures of this cell: it was not measured.";
@@ -233,10 +260,23 @@ function slider(shown: Shown, start: number, onMove: (to: number) => void, point
   const over = h("div", { class: "over" }, canvasOf(shown.technique, "technique"));
   const range = h("input", {
     class: "divider",
-    attrs: { type: "range", min: 0, max: 1, step: 0.001, value: start, "aria-label": "Where truth ends and technique begins" },
+    attrs: {
+      type: "range",
+      min: 0,
+      max: 1,
+      step: 0.001,
+      value: start,
+      "aria-label": "Where truth ends and technique begins",
+    },
     on: { input: () => place(Number(range.value)) },
   });
-  const frame = h("div", { class: "picture-frame" }, canvasOf(shown.truth, "truth"), over, h("span", { class: "cross" }));
+  const frame = h(
+    "div",
+    { class: "picture-frame" },
+    canvasOf(shown.truth, "truth"),
+    over,
+    h("span", { class: "cross" }),
+  );
   const place = (to: number) => {
     frame.style.setProperty("--divider", `${100 * to}%`);
     onMove(to);
@@ -272,19 +312,28 @@ function showFlip(stage: HTMLElement, truth: boolean): void {
   const pane = stage.querySelector<HTMLElement>(".flip");
   if (pane === null) return;
   pane.dataset["shows"] = truth ? "truth" : "technique";
-  fill(pane.querySelector("figcaption")!, truth ? "Ground truth" : "Technique", h("span", { class: "muted" }, "  space flips"));
+  fill(
+    pane.querySelector("figcaption")!,
+    truth ? "Ground truth" : "Technique",
+    h("span", { class: "muted" }, "  space flips"),
+  );
 }
 
-function lensElements(shown: Shown, pixel: Pixel | null, map: string): HTMLElement[] {
+function lensElements(shown: Shown, pixel: Pixel | null, map: string, legend: MapLegend | null): HTMLElement[] {
   if (pixel === null) return [];
   const parts: [string, Picture | null][] = [
     ["Ground truth", shown.truth],
     ["Technique", shown.technique],
-    [mapTitle(map), shown.map],
+    [map, shown.map],
   ];
   return [
-    h("p", { class: "lens-title" }, "Magnifier", h("span", { class: "muted" }, ` pixel ${pixel.x}, ${pixel.y}; red, green and blue, sRGB, 0 to 255`)),
-    ...parts.map(([title, picture]) => lensPart(title, picture, pixel)),
+    h(
+      "p",
+      { class: "lens-title" },
+      "Magnifier",
+      h("span", { class: "muted" }, ` pixel ${pixel.x}, ${pixel.y}; red, green and blue, sRGB, 0 to 255`),
+    ),
+    ...parts.map(([title, picture]) => lensPart(title, picture, pixel, picture === shown.map ? legend : null)),
   ];
 }
 
@@ -294,8 +343,10 @@ function colourAt(picture: Picture, { x, y }: Pixel): [number, number, number] |
   return [picture.rgb[at]!, picture.rgb[at + 1]!, picture.rgb[at + 2]!];
 }
 
-function lensPart(title: string, picture: Picture | null, pixel: Pixel): HTMLElement {
-  const canvas = h("canvas", { attrs: { width: lensPixels * lensScale, height: lensPixels * lensScale, "aria-hidden": true } });
+function lensPart(title: string, picture: Picture | null, pixel: Pixel, legend: MapLegend | null): HTMLElement {
+  const canvas = h("canvas", {
+    attrs: { width: lensPixels * lensScale, height: lensPixels * lensScale, "aria-hidden": true },
+  });
   const pen = canvas.getContext("2d")!;
   const reach = lensPixels >> 1;
   for (let dy = -reach; dy <= reach; ++dy) {
@@ -315,6 +366,21 @@ function lensPart(title: string, picture: Picture | null, pixel: Pixel): HTMLEle
     "figure",
     { class: "lens-part" },
     canvas,
-    h("figcaption", {}, h("b", {}, title), h("span", { class: "pixel-value" }, colour === null ? "–" : colour.join("  "))),
+    h(
+      "figcaption",
+      {},
+      h("b", {}, title),
+      h("span", { class: "pixel-value" }, colour === null ? "–" : colour.join("  ")),
+      legend === null || colour === null ? null : h("span", { class: "map-value" }, valueText(colour, legend)),
+    ),
   );
+}
+
+/** "0.31 texels", as exactly as a colour tells; "" where the colour is no value's. */
+function valueText(colour: readonly number[], legend: MapLegend): string {
+  const value = valueOfColour(colour, legend, bytesOfBase64(legend.colours));
+  if (value === null) return "";
+  const least = value === legend.dark && legend.logarithmic ? "at most " : "";
+  const most = value === legend.light && legend.logarithmic ? "at least " : "";
+  return `${least}${most}${significant(value, 2)} ${legend.unit}`;
 }

@@ -23,7 +23,11 @@ export function runView(app: App): View {
     ),
     h("h3", {}, "Configuration as expanded"),
     h("pre", { class: "json" }, JSON.stringify(configuration ?? null, null, 2)),
-    h("p", { class: "muted small" }, `Made by reliefbench ${app.data.tool_version}. \`reliefbench run RUN/run.json\` repeats the run.`),
+    h(
+      "p",
+      { class: "muted small" },
+      `Made by reliefbench ${app.data.tool_version}. \`reliefbench run RUN/run.json\` repeats the run.`,
+    ),
   );
   return { name: "run", title: "Run", element, refresh: () => {} };
 }
@@ -31,8 +35,11 @@ export function runView(app: App): View {
 /** Scalars by their path. */
 function flat(value: Json, path: string): [string, string][] {
   if (value !== null && typeof value === "object") {
-    const entries = Array.isArray(value) ? value.map((item, at): [string, Json] => [String(at + 1), item]) : Object.entries(value);
-    if (Array.isArray(value) && value.every((item) => item === null || typeof item !== "object")) return [[path, value.join(", ")]];
+    const entries = Array.isArray(value)
+      ? value.map((item, at): [string, Json] => [String(at + 1), item])
+      : Object.entries(value);
+    if (Array.isArray(value) && value.every((item) => item === null || typeof item !== "object"))
+      return [[path, value.join(", ")]];
     return entries.flatMap(([key, item]) => flat(item, path === "" ? key : `${path} › ${key}`));
   }
   return [[path, scalarText(value)]];

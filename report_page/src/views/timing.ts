@@ -52,7 +52,7 @@ export function timingView(app: App): View {
       fill(
         content,
         passTable(app.run(), cell),
-        ...passesOf(app.run(), cell).map((pass) => passElement(app, pass, cell)),
+        ...roundsElements(app, cell),
         h("div", { class: "columns" }, preparationTable(app.run(), cell), ...statisticsTables(app.run(), cell)),
       );
     },
@@ -83,101 +83,162 @@ function passTable(run: RunData, cell: number): HTMLElement {
   const passes = new Set(
     Object.keys(run.cells.numbers)
       .map((path) => /^time\.(.+)\.median_ms$/.exec(path)?.[1])
-      .filter((pass): pass is string => pass !== undefined && numberOf(run.cells, `time.${pass}.median_ms`, cell) !== null),
+      .filter(
+        (pass): pass is string => pass !== undefined && numberOf(run.cells, `time.${pass}.median_ms`, cell) !== null,
+      ),
   );
   const stop = textOf(run.cells.words["time.stop"], cell);
   return h(
     "table",
     { class: "figures" },
     h("caption", {}, "Passes", stop === null ? null : h("span", { class: "muted" }, ` (sampling stopped: ${stop})`)),
-    h("thead", {}, h("tr", {}, h("th", {}, "Pass"), ...figures.map(([, title]) => h("th", { class: "number" }, title)))),
+    h(
+      "thead",
+      {},
+      h("tr", {}, h("th", {}, "Pass"), ...figures.map(([, title]) => h("th", { class: "number" }, title))),
+    ),
     h(
       "tbody",
       {},
       ...[...passes].map((pass) =>
-        h("tr", {}, h("td", {}, pass), ...figures.map(([key]) => h("td", { class: "number" }, figureText(key, numberOf(run.cells, `time.${pass}.${key}`, cell))))),
+        h(
+          "tr",
+          {},
+          h("td", {}, pass),
+          ...figures.map(([key]) =>
+            h("td", { class: "number" }, figureText(key, numberOf(run.cells, `time.${pass}.${key}`, cell))),
+          ),
+        ),
       ),
     ),
   );
 }
 
-function passElement(app: App, pass: Pass, cell: number): HTMLElement {
+const boxes = "Boxes: quartiles; whiskers: least and greatest.";
+
+/** A chart over rounds for each pass that was sampled in rounds, and one for all that were before them. */
+function roundsElements(app: App, cell: number): HTMLElement[] {
+  const passes = passesOf(app.run(), cell);
+  const before = passes.filter((pass) => pass.groups.length === 1);
+  const elements = passes
+    .filter((pass) => pass.groups.length > 1)
+    .map((pass) =>
+      figure(
+        pass.name,
+        `${sampledText(pass)}. ${boxes} Lines: the median and its 95 % interval.`,
+        roundsOption(app, pass, cell),
+      ),
+    );
+  if (before.length > 0) {
+    elements.push(
+      figure(
+        "Before the rounds",
+        `${before.map((pass) => `${pass.name}: ${counted(pass.groups[0]!.samples, "sample")}`).join(", ")}. ${boxes}`,
+        beforeOption(before),
+      ),
+    );
+  }
+  return elements;
+}
+
+function sampledText(pass: Pass): string {
   const samples = pass.groups.reduce((sum, group) => sum + group.samples, 0);
-  const chart = new Chart(`Samples of the pass ${pass.name} over rounds`);
-  chart.show(passOption(app, pass, cell));
-  const rounds = pass.groups.length;
-  const together = rounds > 1 && pass.groups[1]!.firstRound - pass.groups[0]!.firstRound > 1;
+  const together = pass.groups[1]!.firstRound - pass.groups[0]!.firstRound > 1;
+  return `${counted(samples, "sample")} in ${together ? `${pass.groups.length} groups of rounds` : counted(pass.groups.length, "round")}`;
+}
+
+function figure(title: string, words: string, option: Option): HTMLElement {
+  const chart = new Chart(`Samples: ${title}`);
+  chart.show(option);
   return h(
     "figure",
     {},
-    h(
-      "figcaption",
-      {},
-      h("b", {}, pass.name),
-      h(
-        "span",
-        { class: "muted" },
-        ` ${counted(samples, "sample")}${rounds > 1 ? (together ? `, ${rounds} groups of rounds` : ` in ${counted(rounds, "round")}`) : ", before the rounds"}. Boxes: quartiles; whiskers: least and greatest.`,
-      ),
-    ),
+    h("figcaption", {}, h("b", {}, title), h("span", { class: "muted" }, ` ${words}`)),
     chart.element,
   );
 }
 
-function passOption(app: App, pass: Pass, cell: number): Option {
+function boxOption(
+  names: string[],
+  axisName: string,
+  groups: Group[],
+  titles: string[],
+): Option & { series: object[] } {
   const ink = currentInk();
-  const median = numberOf(app.run().cells, `time.${pass.name}.median_ms`, cell);
-  const low = numberOf(app.run().cells, `time.${pass.name}.ci95_ms.low`, cell);
-  const high = numberOf(app.run().cells, `time.${pass.name}.ci95_ms.high`, cell);
-  const last = pass.groups.length - 1;
-  const level = (value: number, style: object) => ({
-    type: "line",
-    data: [
-      [-0.5, value],
-      [last + 0.5, value],
-    ],
-    xAxisIndex: 1,
-    symbol: "none",
-    silent: true,
-    lineStyle: { color: ink.accent, width: 1.2, ...style },
-    z: 1,
-  });
   return {
     grid: { left: ink.size * 5, right: ink.size * 2, top: ink.size, bottom: ink.size * 3.6 },
     xAxis: [
-      {
-        ...axisStyle(ink, pass.groups.length > 1 ? "round" : ""),
-        type: "category",
-        data: pass.groups.map((group) => String(group.firstRound)),
-        nameGap: ink.size * 2,
-        splitLine: { show: false },
-      },
-      { type: "value", min: -0.5, max: last + 0.5, show: false },
+      { ...axisStyle(ink, axisName), type: "category", data: names, nameGap: ink.size * 2, splitLine: { show: false } },
+      { type: "value", min: -0.5, max: names.length - 0.5, show: false },
     ],
     yAxis: { ...axisStyle(ink, "ms"), type: "value", scale: true, nameGap: ink.size * 3.6 },
     tooltip: {
       ...tooltipStyle(ink),
-      formatter: (parameters: { dataIndex: number; seriesType: string }) => groupTooltip(pass.groups[parameters.dataIndex]!),
+      formatter: ({ dataIndex }: { dataIndex: number }) => groupTooltip(titles[dataIndex]!, groups[dataIndex]!),
     },
     series: [
       {
         type: "boxplot",
-        data: pass.groups.map((group) => group.ms),
+        data: groups.map((group) => group.ms),
         itemStyle: { color: ink.panel, borderColor: ink.text, borderWidth: 1.2 },
         boxWidth: [4, 26],
       },
-      ...(median === null ? [] : [level(median, {})]),
-      ...(low === null || high === null ? [] : [level(low, { type: "dashed", opacity: 0.7 }), level(high, { type: "dashed", opacity: 0.7 })]),
     ],
   };
 }
 
-function groupTooltip(group: Group): HTMLElement {
+function beforeOption(passes: Pass[]): Option {
+  const names = passes.map((pass) => pass.name);
+  return boxOption(
+    names,
+    "",
+    passes.map((pass) => pass.groups[0]!),
+    names,
+  );
+}
+
+function roundsOption(app: App, pass: Pass, cell: number): Option {
+  const ink = currentInk();
+  const rounds = pass.groups.map((group) => String(group.firstRound));
+  const option = boxOption(
+    rounds,
+    "round",
+    pass.groups,
+    rounds.map((round) => `Round ${round}`),
+  );
+  const of = (key: string) => numberOf(app.run().cells, `time.${pass.name}.${key}`, cell);
+  const level = (value: number | null, style: object) =>
+    value === null
+      ? []
+      : [
+          {
+            type: "line",
+            data: [
+              [-0.5, value],
+              [rounds.length - 0.5, value],
+            ],
+            xAxisIndex: 1,
+            symbol: "none",
+            silent: true,
+            lineStyle: { color: ink.accent, width: 1.2, ...style },
+            z: 1,
+          },
+        ];
+  const bound = { type: "dashed", opacity: 0.7 };
+  option.series.push(
+    ...level(of("median_ms"), {}),
+    ...level(of("ci95_ms.low"), bound),
+    ...level(of("ci95_ms.high"), bound),
+  );
+  return option;
+}
+
+function groupTooltip(title: string, group: Group): HTMLElement {
   const names = ["least", "lower quartile", "median", "upper quartile", "greatest"];
   return h(
     "div",
     { class: "tip" },
-    h("b", {}, `Round ${group.firstRound}`),
+    h("b", {}, title),
     h("div", { class: "muted" }, counted(group.samples, "sample")),
     h("dl", {}, ...names.flatMap((name, at) => [h("dt", {}, name), h("dd", {}, `${significant(group.ms[at], 4)} ms`)])),
   );
@@ -214,6 +275,12 @@ function statisticsTables(run: RunData, cell: number): (HTMLElement | null)[] {
   const rows = (prefix: string): [string, string][] =>
     Object.keys(run.cells.numbers)
       .filter((path) => path.startsWith(prefix) && numberOf(run.cells, path, cell) !== null)
-      .map((path) => [path.slice(prefix.length).replaceAll("_", " "), numberOf(run.cells, path, cell)!.toLocaleString("en")]);
-  return [rowsTable("Pipeline statistics of one draw", rows("pipeline.")), rowsTable("The driver on its compiled stages", rows("executable."))];
+      .map((path) => [
+        path.slice(prefix.length).replaceAll("_", " "),
+        numberOf(run.cells, path, cell)!.toLocaleString("en"),
+      ]);
+  return [
+    rowsTable("Pipeline statistics of one draw", rows("pipeline.")),
+    rowsTable("The driver on its compiled stages", rows("executable.")),
+  ];
 }
