@@ -1,16 +1,14 @@
 #include "cli/command.hpp"
 #include "cli/comparison_output.hpp"
+#include "cli/recorded_noise.hpp"
 #include "cli/run_sides.hpp"
 #include "cli/stored_runs.hpp"
 #include "cli/threshold.hpp"
 #include "compare/compare_runs.hpp"
-#include "core/error.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
 #include <memory>
-#include <optional>
 #include <span>
 
 namespace reliefbench {
@@ -24,29 +22,19 @@ struct CompareCommandOptions {
     ComparisonOutput output;
 };
 
-std::optional<NoiseRecord> find_noise(const MachineKey& machine) {
-    std::filesystem::path folder;
-    try {
-        folder = state_folder();
-    } catch (const Error&) {
-        return std::nullopt;  // nowhere to keep one: none is kept
-    }
-    return read_noise_record(folder, machine);
-}
-
 ExitCode compare(const CompareCommandOptions& options) {
     options.output.check();
     CompareOptions compare_options;
     compare_options.threshold = parse_threshold(options.threshold, "--threshold");
     compare_options.across_devices = options.across_devices;
-    const RunSides sides = split_sides(options.folders);
+    const RunSides sides = split_sides(options.folders, "compare");
     // Together, so that a run on both sides is found.
     std::vector<std::string> folders = sides.base;
     folders.insert(folders.end(), sides.changed.begin(), sides.changed.end());
     const std::vector<StoredRun> runs = read_stored_runs(folders);
     const std::span<const StoredRun> all(runs);
-    const Comparison comparison =
-        compare_runs(all.first(sides.base.size()), all.subspan(sides.base.size()), compare_options, find_noise);
+    const Comparison comparison = compare_runs(all.first(sides.base.size()), all.subspan(sides.base.size()),
+                                               compare_options, find_recorded_noise);
     return options.output.print(comparison);
 }
 

@@ -78,6 +78,7 @@ int main(int argc, char** argv) {
     add_compare_command(app, chosen);
     add_history_command(app, chosen);
     add_export_command(app, chosen);
+    add_report_command(app, chosen);
     add_bench_command(app, chosen);
     try {
         std::vector<std::string> arguments = keep_separator({argv + 1, argv + argc});

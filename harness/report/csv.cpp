@@ -1,5 +1,7 @@
 #include "report/csv.hpp"
 
+#include "report/flat_fields.hpp"
+
 #include <algorithm>
 #include <map>
 #include <string_view>
@@ -9,31 +11,6 @@
 namespace reliefbench {
 
 namespace {
-
-/// Scalars by their path, in the order of the file.
-using Fields = std::vector<std::pair<std::string, Json>>;
-
-void flatten(const Json& value, const std::string& path, Fields& fields) {
-    if (value.is_object()) {
-        for (const auto& [key, member] : value.items()) {
-            flatten(member, path.empty() ? key : path + "." + key, fields);
-        }
-    } else if (value.is_array()) {
-        // Arrays of two are intervals.
-        constexpr const char* bounds[] = {".low", ".high"};
-        for (std::size_t index = 0; index < value.size(); ++index) {
-            flatten(value[index], path + (value.size() == 2 ? bounds[index] : "." + std::to_string(index)), fields);
-        }
-    } else {
-        fields.emplace_back(path, value);
-    }
-}
-
-Fields fields_of(const CellResult& cell) {
-    Fields fields;
-    flatten(to_json(cell), "", fields);
-    return fields;
-}
 
 /// With everything that is always there, so that columns do not depend on which cells failed.
 CellResult complete_cell() {
@@ -110,11 +87,11 @@ std::string row_line(const std::vector<std::string>& texts) {
 
 std::string format_csv(const Run& run) {
     Columns columns;
-    for (const auto& [column, value] : fields_of(complete_cell())) {
+    for (const auto& [column, value] : flat_fields(complete_cell())) {
         columns.add(column);
     }
     for (const CellResult& cell : run.cells) {
-        for (const auto& [column, value] : fields_of(cell)) {
+        for (const auto& [column, value] : flat_fields(cell)) {
             columns.add(column);
         }
     }
@@ -126,7 +103,7 @@ std::string format_csv(const Run& run) {
     std::string csv = row_line(titles);
     for (const CellResult& cell : run.cells) {
         std::map<std::string, std::string> texts;
-        for (const auto& [column, value] : fields_of(cell)) {
+        for (const auto& [column, value] : flat_fields(cell)) {
             texts[column] = value_text(value);
         }
         std::vector<std::string> row;

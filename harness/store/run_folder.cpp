@@ -72,6 +72,11 @@ std::string image_name(const std::string& cell) {
 
 }  // namespace
 
+std::filesystem::path image_path(const std::filesystem::path& folder, const std::string& cell,
+                                 const std::string& suffix) {
+    return folder / "images" / (image_name(cell) + suffix);
+}
+
 RunWriter::RunWriter(const std::filesystem::path& folder, const Json& run) : folder_(folder) {
     for (const char* file : {run_file, cells_file, samples_file, rounds_file, summary_file}) {
         if (is_there(folder / file)) {
@@ -141,9 +146,14 @@ void RunWriter::write_summary(const Json& summary) {
 }
 
 std::filesystem::path RunWriter::image_path(const std::string& cell, const std::string& suffix) {
-    const std::filesystem::path images = folder_ / "images";
-    make_folder(images);
-    return images / (image_name(cell) + suffix);
+    const std::filesystem::path path = reliefbench::image_path(folder_, cell, suffix);
+    make_folder(path.parent_path());
+    return path;
+}
+
+std::optional<Json> read_run_summary(const std::filesystem::path& folder) {
+    if (!is_there(folder / summary_file)) return std::nullopt;
+    return read_json_file(folder / summary_file);
 }
 
 bool holds_run(const std::filesystem::path& folder) {

@@ -37,6 +37,10 @@ struct RoundRecord {
     std::optional<bool> throttled = {};
 };
 
+/// images/<cell made fit for a file name><suffix> of a run's folder.
+std::filesystem::path image_path(const std::filesystem::path& folder, const std::string& cell,
+                                 const std::string& suffix);
+
 /// Writes a run's folder. Every append is one whole line and is flushed; a write that fails (a full disk) is an Error
 /// and leaves the file with whole lines only. One process at a time: a second one gets an Error.
 class RunWriter {
@@ -54,7 +58,7 @@ public:
     void append_round(const RoundRecord& round);
     /// At the run's end: summary.json.
     void write_summary(const Json& summary);
-    /// images/<cell made fit for a file name><suffix>; makes the folder on first use.
+    /// The path that the free function of this name gives; makes the folder on first use.
     std::filesystem::path image_path(const std::string& cell, const std::string& suffix);
 
     const std::filesystem::path& folder() const { return folder_; }
@@ -68,6 +72,9 @@ private:
     std::optional<LineFile> rounds_;
     std::vector<std::string> repairs_;
 };
+
+/// summary.json; empty in a run that did not end. Strict as read_run.
+std::optional<Json> read_run_summary(const std::filesystem::path& folder);
 
 /// A run as read back.
 struct Run {

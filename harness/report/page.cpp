@@ -1,0 +1,98 @@
+#include "report/page.hpp"
+
+#include "core/error.hpp"
+#include "report/comparison_json.hpp"
+#include "report/page_cells.hpp"
+#include "report/page_pictures.hpp"
+#include "report/page_samples.hpp"
+
+namespace reliefbench {
+
+namespace {
+
+/// In the page, where the data go.
+constexpr std::string_view data_place = "\"RELIEFBENCH_DATA\"";
+
+Json legend_to_json(const MapLegend& legend) {
+    Json json;
+    json["title"] = legend.title;
+    json["unit"] = legend.unit;
+    json["dark"] = legend.dark;
+    json["light"] = legend.light;
+    json["logarithmic"] = legend.logarithmic;
+    json["colours"] = base64(legend.colours);
+    json["picture"] = legend.picture;
+    return json;
+}
+
+Json pictures_to_json(const CellPictures& pictures) {
+    Json json;
+    json["technique"] = pictures.technique;
+    json["truth"] = pictures.truth;
+    json["maps"] = Json::object();
+    for (const auto& [name, positions] : pictures.maps) {
+        json["maps"][name] = positions;
+    }
+    json["legends"] = Json::object();
+    for (const auto& [name, legend] : pictures.legends) {
+        json["legends"][name] = legend_to_json(legend);
+    }
+    json["step"] = pictures.step;
+    json["left_out"] = pictures.left_out;
+    return json;
+}
+
+Json run_to_json(const PageRun& run) {
+    Json json;
+    json["name"] = run.stored.name;
+    json["record"] = run.stored.run.run;
+    json["summary"] = run.summary ? *run.summary : Json(nullptr);
+    json["cells"] = cells_to_columns(run.stored.run.cells);
+    json["samples"] = samples_to_columns(run.samples, run.stored.run.cells);
+    json["pictures"] = pictures_to_json(run.pictures);
+    return json;
+}
+
+Json comparison_to_page(const PageComparison& comparison) {
+    Json json;
+    json["base"] = comparison.base;
+    json["new"] = comparison.changed;
+    json["failure"] = comparison.failure.empty() ? Json(nullptr) : Json(comparison.failure);
+    json["result"] = comparison.comparison ? comparison_to_json(*comparison.comparison) : Json(nullptr);
+    return json;
+}
+
+}  // namespace
+
+Json page_data(const std::vector<PageRun>& runs, const Json& pictures, const std::optional<PageComparison>& comparison,
+               std::string_view tool_version) {
+    Json json;
+    json["tool_version"] = tool_version;
+    json["runs"] = Json::array();
+    for (const PageRun& run : runs) {
+        json["runs"].push_back(run_to_json(run));
+    }
+    json["pictures"] = pictures;
+    json["comparison"] = comparison ? comparison_to_page(*comparison) : Json(nullptr);
+    return json;
+}
+
+std::string fill_page(std::string_view page, const Json& data) {
+    const std::size_t at = page.find(data_place);
+    if (at == std::string_view::npos) {
+        fail("the report's page has no place for data (\"RELIEFBENCH_DATA\"): build the target report_page again");
+    }
+    std::string filled(page.substr(0, at));
+    for (const char character : data.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+        // Inside JSON, < stands in strings only.
+        if (character == '<') {
+            filled += "\\u003c";
+        } else {
+            filled += character;
+        }
+    }
+    filled += page.substr(at + data_place.size());
+    return filled;
+}
+
+}  // namespace reliefbench

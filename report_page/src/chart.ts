@@ -1,0 +1,105 @@
+import { BoxplotChart, LineChart, ScatterChart } from "echarts/charts";
+import {
+  DataZoomInsideComponent,
+  GridComponent,
+  MarkLineComponent,
+  TitleComponent,
+  TooltipComponent,
+} from "echarts/components";
+import { type EChartsCoreOption, type EChartsType, init, use } from "echarts/core";
+import { CanvasRenderer } from "echarts/renderers";
+
+import { h } from "./dom.ts";
+
+use([
+  BoxplotChart,
+  CanvasRenderer,
+  DataZoomInsideComponent,
+  GridComponent,
+  LineChart,
+  MarkLineComponent,
+  ScatterChart,
+  TitleComponent,
+  TooltipComponent,
+]);
+
+export type Option = EChartsCoreOption;
+
+/** Colours and sizes of the page, for what is drawn on a canvas. */
+export interface Ink {
+  text: string;
+  muted: string;
+  line: string;
+  panel: string;
+  accent: string;
+  font: string;
+  size: number;
+}
+
+export function currentInk(): Ink {
+  const style = getComputedStyle(document.documentElement);
+  const colour = (name: string) => style.getPropertyValue(name).trim();
+  return {
+    text: colour("--ink"),
+    muted: colour("--muted"),
+    line: colour("--line"),
+    panel: colour("--panel"),
+    accent: colour("--accent"),
+    font: getComputedStyle(document.body).fontFamily,
+    size: Math.round(parseFloat(style.fontSize) * 0.8),
+  };
+}
+
+/** A chart that follows its element's size. `onClick` gets the clicked item's data. */
+export class Chart {
+  readonly element: HTMLElement;
+  private chart: EChartsType | null = null;
+  private option: Option | null = null;
+
+  constructor(label: string, onClick: (data: unknown) => void = () => {}) {
+    this.element = h("div", { class: "chart", attrs: { role: "img", "aria-label": label } });
+    new ResizeObserver(() => {
+      if (this.element.clientWidth === 0) return;
+      if (this.chart) {
+        this.chart.resize();
+        return;
+      }
+      // An element that is not shown has no size yet.
+      this.chart = init(this.element, null, { renderer: "canvas" });
+      this.chart.on("click", (event) => onClick(event.data));
+      if (this.option) this.chart.setOption(this.option, { notMerge: true });
+    }).observe(this.element);
+  }
+
+  show(option: Option): void {
+    this.option = { animation: false, ...option };
+    this.chart?.setOption(this.option, { notMerge: true });
+  }
+}
+
+/** What all axes look like. */
+export function axisStyle(ink: Ink, name: string): Record<string, unknown> {
+  return {
+    name,
+    nameLocation: "middle",
+    nameTextStyle: { color: ink.muted, fontFamily: ink.font, fontSize: ink.size },
+    axisLabel: { color: ink.muted, fontFamily: ink.font, fontSize: ink.size, hideOverlap: true },
+    axisLine: { show: true, onZero: false, lineStyle: { color: ink.line } },
+    axisTick: { show: true, lineStyle: { color: ink.line } },
+    splitLine: { show: true, lineStyle: { color: ink.line, opacity: 0.6 } },
+    minorSplitLine: { show: false },
+  };
+}
+
+export function tooltipStyle(ink: Ink): Record<string, unknown> {
+  return {
+    trigger: "item",
+    confine: true,
+    backgroundColor: ink.panel,
+    borderColor: ink.line,
+    padding: [8, 12],
+    textStyle: { color: ink.text, fontFamily: ink.font, fontSize: ink.size },
+    extraCssText: "box-shadow: 0 4px 16px rgb(0 0 0 / 18%); border-radius: 6px; max-width: 30rem;",
+    transitionDuration: 0,
+  };
+}

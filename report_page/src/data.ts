@@ -1,0 +1,210 @@
+// The page's data as `reliefbench report` writes them: harness/report/page.hpp and the headers that it names.
+
+export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
+
+/** Distinct values and, per cell, which of them it has: -1 for none. */
+export interface ValueColumn {
+  values: Json[];
+  index: number[];
+}
+
+export interface Cells {
+  count: number;
+  /** "<technique and parameters> | <view>" */
+  id: string[];
+  words: Record<string, ValueColumn>;
+  axes: Record<string, ValueColumn>;
+  params: Record<string, ValueColumn>;
+  numbers: Record<string, (number | null)[]>;
+}
+
+/** Samples of one pass. `cell` and `groups` have one entry per cell; the others one (`ms`: five) per group of rounds. */
+export interface PassSamples {
+  pass: string;
+  cell: number[];
+  groups: number[];
+  first_round: number[];
+  samples: number[];
+  ms: number[];
+}
+
+/** What a map's colours mean: RGB, base64, for values from `dark` to `light`. `picture` shows it; -1 for none. */
+export interface MapLegend {
+  title: string;
+  unit: string;
+  dark: number;
+  light: number;
+  logarithmic: boolean;
+  colours: string;
+  picture: number;
+}
+
+/** Positions in PageData.pictures, one per cell, -1 for none. */
+export interface CellPictures {
+  technique: number[];
+  truth: number[];
+  maps: Record<string, number[]>;
+  legends: Record<string, MapLegend>;
+  step: number;
+  left_out: number;
+}
+
+export interface RunData {
+  name: string;
+  record: { [key: string]: Json };
+  summary: { [key: string]: Json } | null;
+  cells: Cells;
+  samples: PassSamples[];
+  pictures: CellPictures;
+}
+
+export interface PackedPicture {
+  width: number;
+  height: number;
+  packing: "rgb" | "difference" | "palette";
+  base?: number;
+  palette?: string;
+  data: string;
+}
+
+export type Verdict = "slower" | "faster" | "same" | "undecided";
+
+export interface QualityChange {
+  field: string;
+  base: number | null;
+  new: number | null;
+  worse: boolean;
+  better: boolean;
+}
+
+export interface CellVerdict {
+  cell: string;
+  verdict: Verdict;
+  ratio: number | null;
+  ci95: [number | null, number | null];
+  visible: number | null;
+  reason: string;
+  quality: { verdict: string; changes: QualityChange[] };
+}
+
+export interface ComparisonResult {
+  cells: CellVerdict[];
+  uncompared: { cell: string; reason: string; failed_now: boolean }[];
+  notices: string[];
+  summary: Record<string, number>;
+  threshold: number | null;
+  unit: string;
+  environment: Json;
+}
+
+export interface PageComparison {
+  base: string[];
+  new: string[];
+  failure: string | null;
+  result: ComparisonResult | null;
+}
+
+export interface PageData {
+  tool_version: string;
+  runs: RunData[];
+  pictures: PackedPicture[];
+  comparison: PageComparison | null;
+}
+
+export function valueText(value: Json): string {
+  if (value === null) return "–";
+  return typeof value === "string" ? value : JSON.stringify(value);
+}
+
+/** The value's text; null where the cell has none. */
+export function textOf(column: ValueColumn | undefined, cell: number): string | null {
+  const at = column?.index[cell] ?? -1;
+  return at < 0 || !column ? null : valueText(column.values[at] ?? null);
+}
+
+/** Names may come from a URL: what every object has is no axis. */
+export function axisColumn(cells: Cells, axis: string): ValueColumn | undefined {
+  return Object.hasOwn(cells.axes, axis) ? cells.axes[axis] : undefined;
+}
+
+export function hasFigure(cells: Cells, path: string): boolean {
+  return Object.hasOwn(cells.numbers, path);
+}
+
+export function numberOf(cells: Cells, path: string, cell: number): number | null {
+  return hasFigure(cells, path) ? (cells.numbers[path]?.[cell] ?? null) : null;
+}
+
+export function techniqueOf(cells: Cells, cell: number): string {
+  return textOf(cells.words["technique"], cell) ?? "?";
+}
+
+export function statusOf(cells: Cells, cell: number): string {
+  return textOf(cells.words["status"], cell) ?? "?";
+}
+
+export function reasonOf(cells: Cells, cell: number): string {
+  return textOf(cells.words["reason"], cell) ?? "";
+}
+
+const bar = " | ";
+
+/** Technique and parameters, as the cell's id has them. */
+export function settingOf(id: string): string {
+  const at = id.indexOf(bar);
+  return at < 0 ? id : id.slice(0, at);
+}
+
+/** What the setting is drawn on: height map, camera, resolution. */
+export function viewOf(id: string): string {
+  const at = id.indexOf(bar);
+  return at < 0 ? "" : id.slice(at + bar.length);
+}
+
+/** Values in the order in which cells first have them. */
+export function techniques(cells: Cells): string[] {
+  return (cells.words["technique"]?.values ?? []).map(valueText);
+}
+
+/** Names of the axes that differ between cells. */
+export function variedAxes(cells: Cells): string[] {
+  return Object.keys(cells.axes).filter((axis) => (cells.axes[axis]?.values.length ?? 0) > 1);
+}
+
+/** An axis' value for people: "60°", "rock", "height scale 0.1". */
+export function axisValueText(axis: string, value: string): string {
+  if (axis === "view_angle") return `${value}°`;
+  if (["heightmap", "projection", "boundary", "height_format"].includes(axis)) return value.split("/").pop() ?? value;
+  return `${axis.replaceAll("_", " ")} ${value}`;
+}
+
+/** A cell's view by the axes that differ in this run: "rock · 60° · parallel". */
+export function viewLabel(cells: Cells, cell: number): string {
+  const parts = variedAxes(cells).flatMap((axis) => {
+    const text = textOf(cells.axes[axis], cell);
+    return text === null ? [] : [axisValueText(axis, text)];
+  });
+  return parts.length > 0 ? parts.join(" · ") : viewOf(cells.id[cell]!) || "the configuration’s only view";
+}
+
+/** As a number where the value is one or begins with one ("512x256"); else null. */
+export function leadingNumber(value: Json | undefined): number | null {
+  if (typeof value === "number") return value;
+  if (typeof value !== "string") return null;
+  const match = /^(\d+)x\d+$/.exec(value);
+  return match ? Number(match[1]) : null;
+}
+
+/** Numbers by size, then other values by their text. */
+export function sortedValues(column: ValueColumn): Json[] {
+  return [...column.values].sort((a, b) => {
+    const x = leadingNumber(a);
+    const y = leadingNumber(b);
+    if (x !== null && y !== null) return x - y;
+    return valueText(a).localeCompare(valueText(b), "en");
+  });
+}
+
+export function cellIndex(cells: Cells, id: string | null): number {
+  return id === null ? -1 : cells.id.indexOf(id);
+}

@@ -1,0 +1,104 @@
+import type { App } from "./app.ts";
+import { type Json, type RunData, statusOf, valueText } from "./data.ts";
+import { h } from "./dom.ts";
+import { counted } from "./numbers.ts";
+
+/** A value deep in a record; null where it is not there. */
+export function deep(record: Json, ...path: string[]): Json {
+  let value: Json = record;
+  for (const key of path) {
+    if (value === null || typeof value !== "object" || Array.isArray(value)) return null;
+    value = Object.hasOwn(value, key) ? (value[key] ?? null) : null;
+  }
+  return value;
+}
+
+function timeText(time: Json): string {
+  return typeof time === "string" ? time.replace("T", " ").replace(/:\d\dZ$/, " UTC") : "";
+}
+
+function countsOf(run: RunData): Record<string, number> {
+  const counts: Record<string, number> = { ok: 0, failed: 0, skipped: 0 };
+  for (let cell = 0; cell < run.cells.count; ++cell) {
+    const status = statusOf(run.cells, cell);
+    counts[status] = (counts[status] ?? 0) + 1;
+  }
+  return counts;
+}
+
+function statusButton(app: App, status: string, count: number): HTMLElement | null {
+  if (count === 0) return null;
+  return h(
+    "button",
+    {
+      class: `status ${status}`,
+      title: `List the ${status} cells with their reasons`,
+      attrs: { type: "button", "data-status": status },
+      on: { click: () => app.update({ view: "cells", query: `status:${status}`, filters: {}, techniques: [] }) },
+    },
+    `${count} ${status}`,
+  );
+}
+
+export function headerElement(app: App, onTheme: () => void, onHelp: () => void): HTMLElement {
+  const run = app.run();
+  const { record } = run;
+  const counts = countsOf(run);
+  const device = [deep(record, "device", "name"), deep(record, "device", "driver_version")]
+    .filter((value) => value !== null && value !== "")
+    .map(valueText)
+    .join(" · ");
+  const runs = app.data.runs;
+  return h(
+    "div",
+    { class: "header" },
+    h(
+      "h1",
+      {},
+      h("span", { class: "brand" }, "reliefbench"),
+      valueText(deep(record, "configuration", "name") ?? run.name),
+    ),
+    h(
+      "p",
+      { class: "facts" },
+      h("span", {}, device),
+      h("span", {}, timeText(deep(record, "environment", "time"))),
+      h("span", {}, `${counted(counts["ok"] ?? 0, "cell")} measured`),
+      statusButton(app, "failed", counts["failed"] ?? 0),
+      statusButton(app, "skipped", counts["skipped"] ?? 0),
+      run.summary === null ? h("span", { class: "warning" }, "the run did not end") : null,
+    ),
+    h(
+      "div",
+      { class: "tools" },
+      runs.length > 1 ? runSwitch(app) : null,
+      h(
+        "button",
+        {
+          title: "Light or dark (t)",
+          attrs: { type: "button", "aria-label": "Light or dark" },
+          on: { click: onTheme },
+        },
+        app.theme === "dark" ? "☀" : "☾",
+      ),
+      h("button", { title: "Keys (?)", attrs: { type: "button", "aria-label": "Keys" }, on: { click: onHelp } }, "?"),
+    ),
+  );
+}
+
+function runSwitch(app: App): HTMLElement {
+  return h(
+    "div",
+    { class: "segments", title: "Next run: r", attrs: { role: "group", "aria-label": "Run" } },
+    ...app.data.runs.map((run, at) =>
+      h(
+        "button",
+        {
+          attrs: { type: "button", "aria-pressed": String(at === app.state.run), "data-run": at },
+          on: { click: () => app.update({ run: at }) },
+        },
+        run.name.split("/").pop() ?? run.name,
+      ),
+    ),
+  );
+}

@@ -1,0 +1,146 @@
+// A table of many rows, of which only those in sight are elements.
+
+import { fill, h } from "./dom.ts";
+
+export interface Column<Row> {
+  id: string;
+  title: string;
+  /** What the column is, in full. */
+  help?: string;
+  number: boolean;
+  /** What rows are sorted by; null comes last either way. */
+  key(row: Row): number | string | null;
+  content(row: Row): Node | string;
+}
+
+export interface TableOptions<Row> {
+  label: string;
+  onSort(column: string): void;
+  onRow(row: Row): void;
+  rowClass(row: Row): string;
+}
+
+function compare(a: number | string | null, b: number | string | null): number {
+  if (a === null || b === null) return a === b ? 0 : a === null ? 1 : -1;
+  if (typeof a === "number" && typeof b === "number") return a - b;
+  return String(a).localeCompare(String(b), "en", { numeric: true });
+}
+
+/** `sort` is a column's id, descending with a leading "-". Equal rows keep their order; undefined ones come last. */
+export function sortRows<Row>(rows: readonly Row[], columns: readonly Column<Row>[], sort: string): Row[] {
+  const descending = sort.startsWith("-");
+  const column = columns.find(({ id }) => id === (descending ? sort.slice(1) : sort));
+  if (column === undefined) return [...rows];
+  const keyed = rows.map((row, at) => ({ row, at, key: column.key(row) }));
+  keyed.sort((a, b) => {
+    if (a.key === null || b.key === null) return compare(a.key, b.key) || a.at - b.at;
+    return (descending ? -1 : 1) * compare(a.key, b.key) || a.at - b.at;
+  });
+  return keyed.map(({ row }) => row);
+}
+
+export class Table<Row> {
+  readonly element: HTMLElement;
+  private readonly head = h("thead");
+  private readonly body = h("tbody");
+  private readonly options: TableOptions<Row>;
+  private rows: readonly Row[] = [];
+  private columns: readonly Column<Row>[] = [];
+  private rowHeight = 30;
+  private first = -1;
+  private last = -1;
+
+  constructor(options: TableOptions<Row>) {
+    this.options = options;
+    this.element = h(
+      "div",
+      { class: "table-scroll", attrs: { tabindex: 0, role: "region", "aria-label": options.label } },
+      h("table", { class: "rows" }, this.head, this.body),
+    );
+    this.element.addEventListener("scroll", () => this.draw(false), { passive: true });
+    new ResizeObserver(() => this.draw(false)).observe(this.element);
+  }
+
+  show(rows: readonly Row[], columns: readonly Column<Row>[], sort: string): void {
+    this.rows = rows;
+    this.columns = columns;
+    const name = sort.replace(/^-/, "");
+    const direction = sort.startsWith("-") ? "descending" : "ascending";
+    fill(
+      this.head,
+      h(
+        "tr",
+        {},
+        ...columns.map((column) =>
+          h(
+            "th",
+            {
+              class: column.number ? "number" : "",
+              title: column.help ?? "",
+              attrs: {
+                scope: "col",
+                "aria-sort": column.id === name ? direction : undefined,
+                "data-column": column.id,
+              },
+            },
+            h(
+              "button",
+              { attrs: { type: "button" }, on: { click: () => this.options.onSort(column.id) } },
+              column.title,
+              column.id === name ? h("span", { class: "arrow" }, direction === "ascending" ? " ↑" : " ↓") : null,
+            ),
+          ),
+        ),
+      ),
+    );
+    this.draw(true);
+  }
+
+  /** Brings a row into sight. */
+  reveal(at: number): void {
+    const top = at * this.rowHeight;
+    const { scrollTop, clientHeight } = this.element;
+    const head = this.head.offsetHeight;
+    if (top < scrollTop) this.element.scrollTop = top;
+    else if (top + this.rowHeight > scrollTop + clientHeight - head) {
+      this.element.scrollTop = top + this.rowHeight - clientHeight + head;
+    }
+  }
+
+  private draw(afresh: boolean): void {
+    const margin = 10;
+    const inSight = Math.ceil((this.element.clientHeight || 800) / this.rowHeight);
+    const first = Math.max(0, Math.floor(this.element.scrollTop / this.rowHeight) - margin);
+    const last = Math.min(this.rows.length, first + inSight + 2 * margin);
+    if (!afresh && first === this.first && last === this.last) return;
+    [this.first, this.last] = [first, last];
+    const spacer = (count: number) =>
+      count === 0
+        ? null
+        : h("tr", { class: "spacer", attrs: { "aria-hidden": true, style: `height: ${count * this.rowHeight}px` } });
+    fill(
+      this.body,
+      spacer(first),
+      ...this.rows.slice(first, last).map((row) =>
+        h(
+          "tr",
+          { class: this.options.rowClass(row), on: { click: () => this.options.onRow(row) } },
+          ...this.columns.map((column) => {
+            const content = column.content(row);
+            return h(
+              "td",
+              { class: column.number ? "number" : "", title: typeof content === "string" ? content : "" },
+              content,
+            );
+          }),
+        ),
+      ),
+      spacer(this.rows.length - last),
+    );
+    const drawn = this.body.querySelector<HTMLElement>("tr:not(.spacer)");
+    if (drawn && drawn.offsetHeight > 0 && Math.abs(drawn.offsetHeight - this.rowHeight) > 0.5) {
+      this.rowHeight = drawn.offsetHeight;
+      this.draw(true);
+    }
+  }
+}

@@ -1,0 +1,206 @@
+// Time and error over steps, view angle, height-map size and every other number that was swept.
+
+import type { App, View } from "../app.ts";
+import { axisStyle, Chart, currentInk, type Ink, type Option, tooltipStyle } from "../chart.ts";
+import { settingElement } from "../describe.ts";
+import { choose, fill, h } from "../dom.ts";
+import { costMetrics, errorMetrics, type Metric, metricById, metricText, metricTitle } from "../metrics.ts";
+import { counted, extent, significant } from "../numbers.ts";
+import { markOf } from "../palette.ts";
+import { logBase, logRange, powerText } from "../scales.ts";
+import { type Abscissa, abscissas, type Line, type LinePoint, lines, mixesViews } from "../series.ts";
+
+const mostLines = 150;
+
+export function axesView(app: App): View {
+  const { cells } = app.run();
+  const errors = errorMetrics(cells);
+  const costs = costMetrics(cells);
+  const all = abscissas(cells);
+  const options = (metrics: Metric[]) => metrics.map((metric) => ({ value: metric.id, label: metricTitle(metric) }));
+  const x = choose(
+    "Over",
+    all.map(({ id, label }) => ({ value: id, label })),
+    "",
+    (value) => app.update({ x: value }),
+  );
+  const cost = choose("Cost", options(costs), "", (value) => app.update({ cost: value }));
+  const error = choose("Error", options(errors), "", (value) => app.update({ error: value }));
+  const pin = (data: unknown) => {
+    const cell = (data as { point?: LinePoint } | null)?.point?.cells[0];
+    if (cell !== undefined) app.update({ pin: app.run().cells.id[cell]! });
+  };
+  const costChart = new Chart("Cost over the chosen axis", pin);
+  const errorChart = new Chart("Error over the chosen axis", pin);
+  const note = h("p", { class: "note" });
+  const element = h(
+    "section",
+    { class: "view-axes" },
+    h("div", { class: "controls" }, x.element, cost.element, error.element),
+    h("div", { class: "chart-pair" }, costChart.element, errorChart.element),
+    note,
+  );
+
+  return {
+    name: "axes",
+    title: "Axes",
+    element,
+    refresh() {
+      const abscissa = all.find(({ id }) => id === app.state.x) ?? all[0];
+      const costMetric = metricById(costs, app.state.cost);
+      const errorMetric = metricById(errors, app.state.error);
+      if (abscissa === undefined || costMetric === null || errorMetric === null) {
+        fill(note, "Nothing that is a number was swept in this run.");
+        costChart.element.hidden = errorChart.element.hidden = true;
+        return;
+      }
+      x.select.value = abscissa.id;
+      cost.select.value = costMetric.id;
+      error.select.value = errorMetric.id;
+      const found = lines(cells, app.measured(), abscissa, costMetric, errorMetric);
+      const drawn = found.slice(0, mostLines);
+      costChart.show(lineOption(app, drawn, abscissa, costMetric, (point) => point.cost));
+      errorChart.show(lineOption(app, drawn, abscissa, errorMetric, (point) => point.error));
+      fill(note, ...notes(app, found, abscissa).map((text) => h("span", {}, text)));
+    },
+  };
+}
+
+function notes(app: App, found: Line[], x: Abscissa): string[] {
+  const texts: string[] = [];
+  if (found.length > mostLines)
+    texts.push(`Showing ${mostLines} of ${counted(found.length, "line")}: filter to see the others.`);
+  if (found.some((line) => line.points.some((point) => point.cells.length > 1))) {
+    texts.push("Points of several cells are means: geometric of the cost, arithmetic of the error.");
+  }
+  if (mixesViews(app.run().cells, found, x)) {
+    texts.push(
+      "Along a line other axes change too, and a slope may be theirs: filter for one height map or projection to compare like with like.",
+    );
+  }
+  return texts;
+}
+
+function lineOption(
+  app: App,
+  all: Line[],
+  x: Abscissa,
+  metric: Metric,
+  of: (point: LinePoint) => number | null,
+): Option {
+  const ink = currentInk();
+  const points = all.flatMap((line) => line.points);
+  const y = logRange(points.map(of).filter((value): value is number => value !== null));
+  const shownX = points.filter((point) => of(point) !== null).map((point) => point.x);
+  const xRange = logRange(shownX);
+  const [leastX, greatestX] = extent(shownX);
+  const span = greatestX - leastX || 1;
+  const room = 0.04;
+  return {
+    title: {
+      text: metricTitle(metric),
+      left: 0,
+      top: 0,
+      textStyle: { color: ink.text, fontFamily: ink.font, fontSize: ink.size * 1.1, fontWeight: 600 },
+    },
+    grid: { left: ink.size * 5, right: ink.size * 2, top: ink.size * 3, bottom: ink.size * 4.2 },
+    xAxis: {
+      ...axisStyle(ink, x.label),
+      type: x.scale === "log" ? "log" : "value",
+      ...(x.scale === "log" ? { logBase: logBase(xRange) } : {}),
+      nameGap: ink.size * 2.3,
+      min: x.scale === "log" ? xRange.min : Number((leastX - room * span).toPrecision(3)),
+      max: x.scale === "log" ? xRange.max : Number((greatestX + room * span).toPrecision(3)),
+      axisLabel: labelStyle(ink, x.scale === "log" ? powerText : (value) => String(Number(value.toPrecision(4)))),
+    },
+    yAxis: {
+      ...axisStyle(ink, ""),
+      type: "log",
+      logBase: logBase(y),
+      min: y.min,
+      max: y.max,
+      axisLabel: {
+        ...labelStyle(ink, (value) => (y.hasZero && value === y.min ? "0" : powerText(value))),
+        showMinLabel: y.hasZero,
+      },
+    },
+    dataZoom: [
+      { type: "inside", xAxisIndex: 0, filterMode: "none" },
+      { type: "inside", yAxisIndex: 0, filterMode: "none" },
+    ],
+    tooltip: {
+      ...tooltipStyle(ink),
+      formatter: (parameters: { data?: { line: Line; point: LinePoint } }) =>
+        parameters.data ? pointTooltip(app, parameters.data.line, parameters.data.point, x, metric, of) : "",
+    },
+    series: all.map((line) => lineSeries(app, ink, line, y.zero, of)),
+  };
+}
+
+function labelStyle(ink: Ink, formatter: (value: number) => string): object {
+  return {
+    color: ink.muted,
+    fontFamily: ink.font,
+    fontSize: ink.size,
+    hideOverlap: true,
+    showMinLabel: false,
+    showMaxLabel: false,
+    formatter,
+  };
+}
+
+function lineSeries(app: App, ink: Ink, line: Line, zero: number, of: (point: LinePoint) => number | null): object {
+  const mark = markOf(app.position(line.technique), app.theme);
+  const pinned = app.pinned();
+  return {
+    type: "line",
+    name: line.name,
+    data: line.points
+      .filter((point) => of(point) !== null)
+      .map((point) => ({
+        value: [point.x, of(point)! > 0 ? of(point)! : zero],
+        line,
+        point,
+        ...(point.cells.includes(pinned)
+          ? { symbolSize: ink.size * 1.3, itemStyle: { borderColor: ink.accent, borderWidth: 2.5 } }
+          : {}),
+      })),
+    symbol: mark.symbol,
+    symbolSize: ink.size * 0.72,
+    showAllSymbol: true,
+    lineStyle: { color: mark.colour, width: 1.6, opacity: 0.75 },
+    itemStyle: { color: mark.colour, borderColor: ink.panel, borderWidth: 1 },
+    emphasis: { focus: "series", lineStyle: { width: 2.6 } },
+    triggerLineEvent: false,
+  };
+}
+
+function pointTooltip(
+  app: App,
+  line: Line,
+  point: LinePoint,
+  x: Abscissa,
+  metric: Metric,
+  of: (point: LinePoint) => number | null,
+): HTMLElement {
+  return h(
+    "div",
+    { class: "tip" },
+    settingElement(app, line.name, line.technique),
+    h(
+      "dl",
+      {},
+      h("dt", {}, x.label),
+      h("dd", {}, significant(point.x)),
+      h("dt", {}, metric.label),
+      h("dd", {}, metricText(metric, of(point))),
+    ),
+    h(
+      "div",
+      { class: "muted" },
+      point.cells.length > 1
+        ? `mean of ${counted(point.cells.length, "cell")}; click to pin the first`
+        : "click to pin",
+    ),
+  );
+}

@@ -1,0 +1,248 @@
+// Quality against cost: a scatter with the Pareto front.
+
+import type { App, View } from "../app.ts";
+import { Chart } from "../chart.ts";
+import {
+  axisColumn,
+  axisValueText,
+  type Cells,
+  settingOf,
+  sortedValues,
+  techniqueOf,
+  textOf,
+  valueText,
+  variedAxes,
+  viewLabel,
+  viewOf,
+} from "../data.ts";
+import { settingElement } from "../describe.ts";
+import { choose, fill, h, segments } from "../dom.ts";
+import { reasonGroups } from "../filter.ts";
+import {
+  costMetrics,
+  errorMetrics,
+  hitsWithinLimit,
+  type Metric,
+  metricById,
+  metricText,
+  metricTitle,
+} from "../metrics.ts";
+import { counted } from "../numbers.ts";
+import { paretoFront } from "../pareto.ts";
+import { settingPoints } from "../settings.ts";
+import type { PointsMode } from "../state.ts";
+import { chartOption, type Mark, type Panel, panelLayout } from "./cost_chart.ts";
+
+const mostPanels = 12;
+/** Pixels, of a chart that is not yet on the page. */
+const usualWidth = 1000;
+/** So many views are told apart by panels of their own, unless something else is chosen. */
+const mostViewsByDefault = 6;
+
+function facetOf(app: App): string {
+  const { cells } = app.run();
+  const { facet } = app.state;
+  if (facet === "none" || facet === "view" || axisColumn(cells, facet) !== undefined) return facet;
+  const views = new Set(app.measured().map((cell) => viewOf(cells.id[cell]!)));
+  if (views.size <= 1) return "none";
+  if (views.size <= mostViewsByDefault) return "view";
+  return (axisColumn(cells, "view_angle")?.values.length ?? 0) > 1 ? "view_angle" : "none";
+}
+
+/** The cells of each panel by its title, in the order of the axis' values. */
+function panelCells(app: App, facet: string): [string, number[]][] {
+  const { cells } = app.run();
+  if (facet === "none") return [["", [...app.measured()]]];
+  const groups = new Map<string, number[]>();
+  if (facet !== "view") for (const value of sortedValues(cells.axes[facet]!)) groups.set(valueText(value), []);
+  for (const cell of app.measured()) {
+    const key = facet === "view" ? viewLabel(cells, cell) : (textOf(cells.axes[facet], cell) ?? "–");
+    const group = groups.get(key);
+    if (group) group.push(cell);
+    else groups.set(key, [cell]);
+  }
+  const title = (key: string) => (facet === "view" ? key : axisValueText(facet, key));
+  return [...groups].filter(([, members]) => members.length > 0).map(([key, members]) => [title(key), members]);
+}
+
+function cellMarks(cells: Cells, members: readonly number[], cost: Metric, error: Metric): Mark[] {
+  const marks: Mark[] = [];
+  for (const cell of members) {
+    const x = cost.of(cells, cell);
+    const y = error.of(cells, cell);
+    if (x === null || y === null) continue;
+    marks.push({
+      cell,
+      technique: techniqueOf(cells, cell),
+      cost: x,
+      error: y,
+      counts: hitsWithinLimit(cells, cell),
+      setting: null,
+    });
+  }
+  return marks;
+}
+
+function makePanel(app: App, title: string, members: readonly number[], cost: Metric, error: Metric): Panel {
+  const { cells } = app.run();
+  const { points } = app.state;
+  const views = new Set(members.map((cell) => viewOf(cells.id[cell]!))).size;
+  const marks =
+    points === "cells"
+      ? cellMarks(cells, members, cost, error)
+      : settingPoints(cells, members, cost, error, points).points.map((point) => ({ ...point, cell: point.cells[0]! }));
+  const counted = marks.filter((mark) => mark.counts);
+  const front = paretoFront(counted).map((at) => marks.indexOf(counted[at]!));
+  return { title, marks, front, views };
+}
+
+export function costView(app: App): View {
+  const { cells } = app.run();
+  const errors = errorMetrics(cells);
+  const costs = costMetrics(cells);
+  const options = (metrics: Metric[]) => metrics.map((metric) => ({ value: metric.id, label: metricTitle(metric) }));
+  const error = choose("Error", options(errors), "", (value) => app.update({ error: value }));
+  const cost = choose("Cost", options(costs), "", (value) => app.update({ cost: value }));
+  const facets = [
+    { value: "none", label: "one for all" },
+    { value: "view", label: "one per view" },
+    ...variedAxes(cells).map((axis) => ({ value: axis, label: `by ${axis.replaceAll("_", " ")}` })),
+  ];
+  const facet = choose("Panels", facets, "none", (value) => app.update({ facet: value }));
+  const mode = segments(
+    "Points",
+    [
+      { value: "cells", label: "Each cell" },
+      { value: "mean", label: "Mean over views" },
+      { value: "worst", label: "Worst view" },
+    ],
+    (value) => app.update({ points: value as PointsMode }),
+  );
+  const chart = new Chart("Scatter of error against cost with the Pareto front", (data) => {
+    const cell = (data as { cell?: number } | null)?.cell;
+    if (cell !== undefined) app.update({ pin: app.run().cells.id[cell]! });
+  });
+  const note = h("p", { class: "note" });
+  const front = h("div", { class: "front" });
+  const element = h(
+    "section",
+    { class: "view-cost" },
+    troubles(app),
+    h("div", { class: "controls" }, error.element, cost.element, facet.element, mode.element),
+    chart.element,
+    note,
+    front,
+  );
+
+  return {
+    name: "cost",
+    title: "Quality against cost",
+    element,
+    refresh() {
+      const errorMetric = metricById(errors, app.state.error);
+      const costMetric = metricById(costs, app.state.cost);
+      mode.set(app.state.points);
+      facet.select.value = facetOf(app);
+      if (errorMetric === null || costMetric === null) {
+        fill(note, "No cell of this run was measured.");
+        chart.element.hidden = true;
+        return;
+      }
+      error.select.value = errorMetric.id;
+      cost.select.value = costMetric.id;
+      const all = panelCells(app, facetOf(app));
+      const panels = all
+        .slice(0, mostPanels)
+        .map(([title, members]) => makePanel(app, title, members, costMetric, errorMetric));
+      chart.element.hidden = panels.length === 0;
+      chart.element.style.setProperty("--rows", String(panelLayout(panels.length).rows));
+      chart.show(chartOption(app, panels, costMetric, errorMetric, chart.element.clientWidth || usualWidth));
+      fill(note, ...noteTexts(app, panels, all.length).map((text) => h("span", {}, text)));
+      fill(front, panels.length === 1 ? frontTable(app, panels[0]!, costMetric, errorMetric) : null);
+    },
+  };
+}
+
+/** What became of cells that were not measured. */
+function troubles(app: App): HTMLElement | null {
+  const groups = reasonGroups(app.run().cells);
+  if (groups.length === 0) return null;
+  const count = groups.reduce((sum, group) => sum + group.cells.length, 0);
+  return h(
+    "details",
+    { class: "troubles" },
+    h("summary", {}, `${counted(count, "cell")} ${count === 1 ? "was" : "were"} not measured`),
+    h(
+      "ul",
+      {},
+      ...groups
+        .slice(0, 20)
+        .map((group) =>
+          h(
+            "li",
+            {},
+            h("b", {}, `${group.cells.length} ${group.status}`),
+            ": ",
+            h("span", { class: "reason" }, group.reason),
+          ),
+        ),
+    ),
+  );
+}
+
+function noteTexts(app: App, panels: Panel[], wanted: number): string[] {
+  const texts: string[] = [];
+  if (panels.length === 0) texts.push("The filter leaves no measured cell.");
+  if (wanted > panels.length) texts.push(`Showing ${panels.length} of ${wanted} panels: filter to see the others.`);
+  if (app.state.points === "cells" && panels.some((panel) => panel.views > 1)) {
+    texts.push(
+      "Panels here mix several views, and easy ones lead the front: filter, use one panel per view, or take the mean over views.",
+    );
+  }
+  const hidden = panels.reduce((sum, panel) => sum + panel.marks.filter((mark) => !mark.counts).length, 0);
+  if (hidden > 0) {
+    const where = app.state.points === "cells" ? "" : " in one of their views";
+    texts.push(
+      `Faint: ${hidden} with missed and false hits above 0.5 % of the footprint${where}, whose errors do not count; they are kept off the front.`,
+    );
+  }
+  if (panels.length > 0)
+    texts.push("Lower left is better. The line is the Pareto front: nothing is both cheaper and better.");
+  return texts;
+}
+
+/** The front in figures. */
+function frontTable(app: App, panel: Panel, cost: Metric, error: Metric): HTMLElement | null {
+  if (panel.front.length === 0) return null;
+  return h(
+    "table",
+    { class: "figures" },
+    h("caption", {}, "The Pareto front"),
+    h(
+      "thead",
+      {},
+      h(
+        "tr",
+        {},
+        h("th", {}, "Setting"),
+        h("th", { class: "number" }, metricTitle(cost)),
+        h("th", { class: "number" }, metricTitle(error)),
+      ),
+    ),
+    h(
+      "tbody",
+      {},
+      ...panel.front.slice(0, 40).map((at) => {
+        const mark = panel.marks[at]!;
+        const id = app.run().cells.id[mark.cell]!;
+        return h(
+          "tr",
+          { class: "pinnable", on: { click: () => app.update({ pin: id }) } },
+          h("td", {}, settingElement(app, settingOf(id), mark.technique)),
+          h("td", { class: "number" }, metricText(cost, mark.cost)),
+          h("td", { class: "number" }, metricText(error, mark.error)),
+        );
+      }),
+    ),
+  );
+}

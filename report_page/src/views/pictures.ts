@@ -1,0 +1,386 @@
+// The pinned cell's pictures: truth, technique and error map side by side, with a slider, a flip and a magnifier.
+
+import type { App, View } from "../app.ts";
+import type { MapLegend } from "../data.ts";
+import { choose, fill, h, segments } from "../dom.ts";
+import { significant } from "../numbers.ts";
+import { bytesOfBase64, draw, type Picture, Pictures, valueOfColour } from "../pictures.ts";
+import type { PictureMode } from "../state.ts";
+import { pinFirst } from "./timing.ts";
+
+interface Shown {
+  truth: Picture | null;
+  technique: Picture | null;
+  map: Picture | null;
+  legend: Picture | null;
+}
+
+const modes: PictureMode[] = ["side", "slider", "flip"];
+/** Pixels on a side of the magnifier. */
+const lensPixels = 15;
+const lensScale = 10;
+
+interface Pixel {
+  x: number;
+  y: number;
+}
+
+export function picturesView(app: App): View {
+  const pictures = new Pictures(app.data.pictures);
+  const mode = segments(
+    "How to compare",
+    [
+      { value: "side", label: "Side by side" },
+      { value: "slider", label: "Slider" },
+      { value: "flip", label: "Flip" },
+    ],
+    (value) => app.update({ mode: value as PictureMode }),
+  );
+  const names = mapNames(app);
+  const map = choose(
+    "Map",
+    names.map((name) => ({ value: name, label: mapTitle(name) })),
+    "",
+    (value) => app.update({ map: value }),
+  );
+  const stage = h("div", { class: "stage" });
+  const lens = h("div", { class: "lens", attrs: { "aria-live": "off" } });
+  const empty = h("div", {});
+  const element = h(
+    "section",
+    { class: "view-pictures" },
+    empty,
+    h("div", { class: "controls" }, mode.element, names.length > 1 ? map.element : null),
+    stage,
+    lens,
+  );
+
+  let shown: Shown = { truth: null, technique: null, map: null, legend: null };
+  let showsTruth = false;
+  let divider = 0.5;
+  let pixel: Pixel | null = null;
+  let drawn = "";
+
+  const refreshLens = () => fill(lens, ...lensElements(shown, pixel, mapTitle(mapName(app)), legendOf(app)));
+  const point = (next: Pixel | null) => {
+    pixel = next;
+    refreshLens();
+    for (const cross of stage.querySelectorAll<HTMLElement>(".cross"))
+      placeCross(cross, shown.technique ?? shown.truth, pixel);
+  };
+  const flip = () => {
+    showsTruth = !showsTruth;
+    showFlip(stage, showsTruth);
+  };
+
+  const redraw = () => {
+    stage.dataset["mode"] = app.state.mode;
+    if (app.state.mode === "side") fill(stage, ...sideBySide(shown, mapName(app), point));
+    else if (app.state.mode === "slider") {
+      fill(
+        stage,
+        slider(shown, divider, (to) => (divider = to), point),
+        mapPane(shown, mapName(app), point),
+      );
+    } else {
+      fill(stage, flipPane(shown, point, flip), mapPane(shown, mapName(app), point));
+      showFlip(stage, showsTruth);
+    }
+    point(pixel);
+  };
+
+  async function load(): Promise<void> {
+    const wanted = wantedPictures(app);
+    const key = JSON.stringify([wanted, app.state.mode, mapName(app)]);
+    if (key === drawn) return;
+    drawn = key;
+    const get = (at: number): Promise<Picture> | null => (at < 0 ? null : pictures.get(at));
+    const [truth, technique, error, legend] = await Promise.all(
+      [wanted.truth, wanted.technique, wanted.map, wanted.legend].map(get),
+    );
+    if (key !== drawn) return;
+    shown = { truth: truth ?? null, technique: technique ?? null, map: error ?? null, legend: legend ?? null };
+    pixel ??= middle(shown.technique ?? shown.truth);
+    redraw();
+  }
+
+  return {
+    name: "pictures",
+    title: "Pictures",
+    element,
+    refresh() {
+      mode.set(app.state.mode);
+      map.select.value = mapName(app);
+      const reason = whyNone(app);
+      fill(empty, reason);
+      const hidden = reason !== null;
+      for (const part of [stage, lens]) part.hidden = hidden;
+      if (hidden) {
+        drawn = "";
+        return;
+      }
+      load().catch((problem: unknown) =>
+        fill(empty, h("p", { class: "warning" }, `The pictures cannot be unpacked: ${String(problem)}`)),
+      );
+    },
+    key(event) {
+      if (event.key === " " && app.state.mode !== "slider") {
+        if (app.state.mode !== "flip") app.update({ mode: "flip" });
+        else flip();
+        return true;
+      }
+      if (event.key === "m") {
+        app.update({ mode: modes[(modes.indexOf(app.state.mode) + 1) % modes.length]! });
+        return true;
+      }
+      const size = shown.technique ?? shown.truth;
+      const step = event.shiftKey ? 10 : 1;
+      const moves: Record<string, [number, number]> = {
+        ArrowLeft: [-1, 0],
+        ArrowRight: [1, 0],
+        ArrowUp: [0, -1],
+        ArrowDown: [0, 1],
+      };
+      const move = moves[event.key];
+      if (move === undefined || size === null || app.pinned() < 0) return false;
+      const from = pixel ?? middle(size)!;
+      point({ x: clamp(from.x + step * move[0], size.width), y: clamp(from.y + step * move[1], size.height) });
+      return true;
+    },
+  };
+}
+
+function clamp(value: number, size: number): number {
+  return Math.max(0, Math.min(size - 1, value));
+}
+
+function middle(picture: Picture | null): Pixel | null {
+  return picture === null ? null : { x: picture.width >> 1, y: picture.height >> 1 };
+}
+
+/** The error that most people look at goes first. */
+function mapNames(app: App): string[] {
+  const main = "uv_error";
+  return Object.keys(app.run().pictures.maps).sort((a, b) => Number(b === main) - Number(a === main));
+}
+
+function mapName(app: App): string {
+  const { maps } = app.run().pictures;
+  return Object.hasOwn(maps, app.state.map) ? app.state.map : (mapNames(app)[0] ?? "");
+}
+
+function legendOf(app: App): MapLegend | null {
+  const { legends } = app.run().pictures;
+  return Object.hasOwn(legends, mapName(app)) ? (legends[mapName(app)] ?? null) : null;
+}
+
+function mapTitle(name: string): string {
+  const words = name
+    .replaceAll("_", " ")
+    .replace(/^uv\b/, "UV")
+    .replace(/^flip$/, "FLIP");
+  return words === "" ? "Error map" : words[0]!.toUpperCase() + words.slice(1);
+}
+
+function wantedPictures(app: App): { truth: number; technique: number; map: number; legend: number } {
+  const { pictures } = app.run();
+  const cell = app.pinned();
+  return {
+    truth: pictures.truth[cell] ?? -1,
+    technique: pictures.technique[cell] ?? -1,
+    map: pictures.maps[mapName(app)]?.[cell] ?? -1,
+    legend: legendOf(app)?.picture ?? -1,
+  };
+}
+
+function whyNone(app: App): HTMLElement | null {
+  if (app.pinned() < 0) return pinFirst();
+  const wanted = wantedPictures(app);
+  if (wanted.truth >= 0 || wanted.technique >= 0) return null;
+  const { pictures } = app.run();
+  const any = pictures.technique.some((at) => at >= 0);
+  const text = !any
+    ? 'This run kept no pictures. Set "images": true in its configuration, run it and make the report again.'
+    : pictures.left_out > 0
+      ? `The pictures of ${pictures.left_out} cells did not fit into this file, this cell's among them. reliefbench report --picture-megabytes makes room.`
+      : "There are no pictures of this cell: it was not measured.";
+  return h("p", { class: "empty" }, text);
+}
+
+function onPointer(element: HTMLElement, picture: Picture | null, point: (pixel: Pixel) => void): void {
+  if (picture === null) return;
+  element.addEventListener("pointermove", (event) => {
+    const box = element.getBoundingClientRect();
+    point({
+      x: clamp(Math.floor(((event.clientX - box.left) / box.width) * picture.width), picture.width),
+      y: clamp(Math.floor(((event.clientY - box.top) / box.height) * picture.height), picture.height),
+    });
+  });
+}
+
+function canvasOf(picture: Picture | null, name: string): HTMLElement {
+  if (picture === null) return h("div", { class: "missing" }, "no picture");
+  const canvas = h("canvas", { class: "picture", attrs: { "data-picture": name, role: "img", "aria-label": name } });
+  draw(picture, canvas);
+  return canvas;
+}
+
+function placeCross(cross: HTMLElement, picture: Picture | null, pixel: Pixel | null): void {
+  cross.hidden = picture === null || pixel === null;
+  if (picture === null || pixel === null) return;
+  cross.style.left = `${(100 * (pixel.x + 0.5)) / picture.width}%`;
+  cross.style.top = `${(100 * (pixel.y + 0.5)) / picture.height}%`;
+}
+
+function paneOf(name: string, title: string, picture: Picture | null, point: (pixel: Pixel) => void): HTMLElement {
+  const frame = h("div", { class: "picture-frame" }, canvasOf(picture, name), h("span", { class: "cross" }));
+  onPointer(frame, picture, point);
+  return h("figure", { class: "pane" }, h("figcaption", {}, title), frame);
+}
+
+function mapPane(shown: Shown, map: string, point: (pixel: Pixel) => void): HTMLElement {
+  const pane = paneOf("map", mapTitle(map), shown.map, point);
+  if (shown.legend !== null) {
+    const legend = h("canvas", { class: "legend", attrs: { role: "img", "aria-label": "What the colours mean" } });
+    draw(shown.legend, legend);
+    pane.append(legend);
+  }
+  return pane;
+}
+
+function sideBySide(shown: Shown, map: string, point: (pixel: Pixel) => void): HTMLElement[] {
+  return [
+    paneOf("truth", "Ground truth", shown.truth, point),
+    paneOf("technique", "Technique", shown.technique, point),
+    mapPane(shown, map, point),
+  ];
+}
+
+function slider(shown: Shown, start: number, onMove: (to: number) => void, point: (pixel: Pixel) => void): HTMLElement {
+  const over = h("div", { class: "over" }, canvasOf(shown.technique, "technique"));
+  const range = h("input", {
+    class: "divider",
+    attrs: {
+      type: "range",
+      min: 0,
+      max: 1,
+      step: 0.001,
+      value: start,
+      "aria-label": "Where truth ends and technique begins",
+    },
+    on: { input: () => place(Number(range.value)) },
+  });
+  const frame = h(
+    "div",
+    { class: "picture-frame" },
+    canvasOf(shown.truth, "truth"),
+    over,
+    h("span", { class: "cross" }),
+  );
+  const place = (to: number) => {
+    frame.style.setProperty("--divider", `${100 * to}%`);
+    onMove(to);
+  };
+  frame.addEventListener("pointerdown", (event) => frame.setPointerCapture(event.pointerId));
+  const follow = (event: PointerEvent) => {
+    if (event.buttons === 0) return;
+    const box = frame.getBoundingClientRect();
+    const to = Math.max(0, Math.min(1, (event.clientX - box.left) / box.width));
+    range.value = String(to);
+    place(to);
+  };
+  frame.addEventListener("pointermove", follow);
+  frame.addEventListener("pointerdown", follow);
+  onPointer(frame, shown.technique ?? shown.truth, point);
+  place(start);
+  return h("figure", { class: "pane" }, h("figcaption", {}, "Ground truth left, technique right"), frame, range);
+}
+
+function flipPane(shown: Shown, point: (pixel: Pixel) => void, flip: () => void): HTMLElement {
+  const frame = h(
+    "div",
+    { class: "picture-frame", title: "Click or press space", on: { click: flip } },
+    canvasOf(shown.technique, "technique"),
+    h("div", { class: "over whole" }, canvasOf(shown.truth, "truth")),
+    h("span", { class: "cross" }),
+  );
+  onPointer(frame, shown.technique ?? shown.truth, point);
+  return h("figure", { class: "pane flip" }, h("figcaption", {}), frame);
+}
+
+function showFlip(stage: HTMLElement, truth: boolean): void {
+  const pane = stage.querySelector<HTMLElement>(".flip");
+  if (pane === null) return;
+  pane.dataset["shows"] = truth ? "truth" : "technique";
+  fill(
+    pane.querySelector("figcaption")!,
+    truth ? "Ground truth" : "Technique",
+    h("span", { class: "muted" }, "  space flips"),
+  );
+}
+
+function lensElements(shown: Shown, pixel: Pixel | null, map: string, legend: MapLegend | null): HTMLElement[] {
+  if (pixel === null) return [];
+  const parts: [string, Picture | null][] = [
+    ["Ground truth", shown.truth],
+    ["Technique", shown.technique],
+    [map, shown.map],
+  ];
+  return [
+    h(
+      "p",
+      { class: "lens-title" },
+      "Magnifier",
+      h("span", { class: "muted" }, ` pixel ${pixel.x}, ${pixel.y}; red, green and blue, sRGB, 0 to 255`),
+    ),
+    ...parts.map(([title, picture]) => lensPart(title, picture, pixel, picture === shown.map ? legend : null)),
+  ];
+}
+
+function colourAt(picture: Picture, { x, y }: Pixel): [number, number, number] | null {
+  if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) return null;
+  const at = 3 * (y * picture.width + x);
+  return [picture.rgb[at]!, picture.rgb[at + 1]!, picture.rgb[at + 2]!];
+}
+
+function lensPart(title: string, picture: Picture | null, pixel: Pixel, legend: MapLegend | null): HTMLElement {
+  const canvas = h("canvas", {
+    attrs: { width: lensPixels * lensScale, height: lensPixels * lensScale, "aria-hidden": true },
+  });
+  const pen = canvas.getContext("2d")!;
+  const reach = lensPixels >> 1;
+  for (let dy = -reach; dy <= reach; ++dy) {
+    for (let dx = -reach; dx <= reach; ++dx) {
+      const colour = picture === null ? null : colourAt(picture, { x: pixel.x + dx, y: pixel.y + dy });
+      if (colour === null) continue;
+      pen.fillStyle = `rgb(${colour.join(" ")})`;
+      pen.fillRect((dx + reach) * lensScale, (dy + reach) * lensScale, lensScale, lensScale);
+    }
+  }
+  pen.strokeStyle = "white";
+  pen.strokeRect(reach * lensScale - 0.5, reach * lensScale - 0.5, lensScale + 1, lensScale + 1);
+  pen.strokeStyle = "black";
+  pen.strokeRect(reach * lensScale - 1.5, reach * lensScale - 1.5, lensScale + 3, lensScale + 3);
+  const colour = picture === null ? null : colourAt(picture, pixel);
+  return h(
+    "figure",
+    { class: "lens-part" },
+    canvas,
+    h(
+      "figcaption",
+      {},
+      h("b", {}, title),
+      h("span", { class: "pixel-value" }, colour === null ? "–" : colour.join("  ")),
+      legend === null || colour === null ? null : h("span", { class: "map-value" }, valueText(colour, legend)),
+    ),
+  );
+}
+
+/** "0.31 texels", as exactly as a colour tells; "" where the colour is no value's. */
+function valueText(colour: readonly number[], legend: MapLegend): string {
+  const value = valueOfColour(colour, legend, bytesOfBase64(legend.colours));
+  if (value === null) return "";
+  const least = value === legend.dark && legend.logarithmic ? "at most " : "";
+  const most = value === legend.light && legend.logarithmic ? "at least " : "";
+  return `${least}${most}${significant(value, 2)} ${legend.unit}`;
+}

@@ -1,0 +1,67 @@
+// Cells for tests of functions that read them.
+
+import type { Cells, Json, ValueColumn } from "../src/data.ts";
+
+export interface SampleCell {
+  id: string;
+  axes?: Record<string, Json>;
+  params?: Record<string, Json>;
+  status?: string;
+  reason?: string;
+  numbers?: Record<string, number>;
+}
+
+function column(values: (Json | undefined)[]): ValueColumn {
+  const distinct: Json[] = [];
+  const index = values.map((value) => {
+    if (value === undefined) return -1;
+    if (!distinct.includes(value)) distinct.push(value);
+    return distinct.indexOf(value);
+  });
+  return { values: distinct, index };
+}
+
+function columns(rows: Record<string, Json>[]): Record<string, ValueColumn> {
+  const names = new Set(rows.flatMap((row) => Object.keys(row)));
+  return Object.fromEntries([...names].map((name) => [name, column(rows.map((row) => row[name]))]));
+}
+
+/** As harness/report/page_cells.cpp makes them. */
+export function cellsOf(rows: SampleCell[]): Cells {
+  const paths = new Set(rows.flatMap((row) => Object.keys(row.numbers ?? {})));
+  return {
+    count: rows.length,
+    id: rows.map((row) => row.id),
+    words: {
+      technique: column(rows.map((row) => row.id.split(" ")[0])),
+      status: column(rows.map((row) => row.status ?? "ok")),
+      reason: column(rows.map((row) => row.reason)),
+    },
+    axes: columns(rows.map((row) => row.axes ?? {})),
+    params: columns(rows.map((row) => row.params ?? {})),
+    numbers: Object.fromEntries([...paths].map((path) => [path, rows.map((row) => row.numbers?.[path] ?? null)])),
+  };
+}
+
+/** A measured cell of pom, say, at a view angle. */
+export function measured(
+  technique: string,
+  steps: number,
+  angle: number,
+  ms: number,
+  uv: number,
+  missed = 0,
+): SampleCell {
+  return {
+    id: `${technique} max_steps=${steps} | view_angle=${angle}`,
+    axes: { view_angle: angle },
+    params: { max_steps: steps },
+    numbers: {
+      "time.draw.median_ms": ms,
+      "error.uv_texels.p99": uv,
+      "error.missed": missed,
+      "error.false_hits": 0,
+      "work.steps_mean": steps / 2,
+    },
+  };
+}

@@ -1,0 +1,327 @@
+// The page in a real browser: node in_chromium.mjs RELIEFBENCH. Reports are made of generated runs.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, afterEach, before, test } from "node:test";
+
+import { openBrowser } from "./browser.mjs";
+import { largeRun, smallRun, unmeasured, writeRun } from "./runs.mjs";
+
+const binary = process.argv[2];
+const folder = mkdtempSync(join(tmpdir(), "reliefbench-report-"));
+const pom = "pom max_steps=32 | heightmap=rock view_angle=60";
+const hostile = `<img src=x onerror="document.title='broken'"> </script><script>document.title='broken'</script>`;
+
+let browser;
+let page;
+let problems = [];
+
+function report(name, ...runs) {
+  execFileSync(binary, ["report", ...runs.map((run) => join(folder, run)), "-o", join(folder, `${name}.html`)], {
+    // No noise of this machine's may sway the comparison.
+    env: { ...process.env, RELIEFBENCH_STATE_DIR: folder },
+  });
+}
+
+async function open(name, fragment = "") {
+  // From elsewhere, so that another fragment is another load.
+  await page.goto("about:blank");
+  await page.goto(`file://${join(folder, `${name}.html`)}${fragment === "" ? "" : `#${fragment}`}`);
+  await page.waitForSelector("main section");
+}
+
+const fragment = async () => new URLSearchParams((await page.evaluate(() => location.hash)).slice(1));
+const texts = (selector) => page.$$eval(selector, (elements) => elements.map((element) => element.textContent));
+const shownCount = async () => (await page.textContent(".shown")).match(/^[\d,]+/)[0];
+
+before(async () => {
+  const pictures = {
+    [pom]: {
+      technique: (x, y) => [x * 4, y * 4, 7],
+      truth: (x, y) => [x * 4, y * 4 + 1, 9],
+      // Black is the scale's dark end, and green is no value's colour.
+      uv_error: (x) => (x < 11 ? [0, 0, 3] : [26, 204, 51]),
+    },
+  };
+  writeRun(join(folder, "small"), smallRun(), { name: "small", pictures });
+  writeRun(join(folder, "slower"), [
+    ...smallRun({ slowdown: 8 }).slice(1),
+    unmeasured({ technique: "new", status: "failed", reason: "no" }),
+  ]);
+  writeRun(
+    join(folder, "troubled"),
+    [
+      ...smallRun(),
+      unmeasured({
+        technique: hostile,
+        axes: { heightmap: hostile },
+        status: "failed",
+        reason: `trace.glsl:3: ${hostile}`,
+      }),
+      unmeasured({ technique: "tessellation", status: "skipped", reason: "the device has no tessellation" }),
+    ],
+    { name: hostile },
+  );
+  writeRun(join(folder, "empty"), []);
+  writeRun(join(folder, "large"), largeRun(10_000), { rounds: 3 });
+  report("small", "small");
+  report("changes", "small", "slower");
+  report("troubled", "troubled");
+  report("empty", "empty");
+  report("large", "large");
+  browser = await openBrowser();
+  page = await browser.context.newPage();
+  page.on("pageerror", (error) => problems.push(error.message));
+  page.on("console", (message) => {
+    if (message.type() === "error" || message.type() === "warning") problems.push(message.text());
+  });
+  page.on("request", (request) => {
+    if (!/^(file|data|blob|about):/.test(request.url())) problems.push(`asked the network for ${request.url()}`);
+  });
+});
+
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+afterEach(() => {
+  const found = problems;
+  problems = [];
+  assert.deepEqual(found, []);
+});
+
+/** The first blot of a technique's colour in the first chart. */
+async function findMark(colour) {
+  const at = await page.evaluate((wanted) => {
+    const canvas = document.querySelector("main .chart canvas");
+    const { width, height } = canvas;
+    const copy = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
+    copy.drawImage(canvas, 0, 0);
+    const { data } = copy.getImageData(0, 0, width, height);
+    const is = (x, y) => wanted.every((value, channel) => Math.abs(data[4 * (y * width + x) + channel] - value) < 24);
+    for (let y = 3; y < height - 3; ++y) {
+      for (let x = 3; x < width - 3; ++x) {
+        if ([-1, 0, 1].every((dy) => [-1, 0, 1].every((dx) => is(x + dx, y + dy)))) {
+          const box = canvas.getBoundingClientRect();
+          return { x: box.left + (x * box.width) / width, y: box.top + (y * box.height) / height };
+        }
+      }
+    }
+    return null;
+  }, colour);
+  assert.notEqual(at, null, "no mark of this colour in the chart");
+  return at;
+}
+
+test("a run opens with its chart, its techniques and what it was measured on", async () => {
+  await open("small");
+  assert.match(await page.textContent("header"), /small.*test device.*20 cells measured/);
+  assert.deepEqual(await texts("[data-filter=technique] .chip-name"), ["flat", "pom", "qdm"]);
+  assert.match(await page.title(), /^Quality against cost/);
+  await page.waitForSelector(".chart canvas");
+});
+
+test("techniques and axes filter; x shows everything again", async () => {
+  await open("small");
+  await page.click("[data-filter=technique] [data-value=flat]");
+  assert.equal(await shownCount(), "16");
+  await page.click("[data-filter=view_angle] [data-value='60']", { modifiers: ["Shift"] });
+  assert.equal(await shownCount(), "8");
+  assert.deepEqual((await fragment()).getAll("techniques"), ["pom", "qdm"]);
+  assert.deepEqual((await fragment()).getAll("axis.view_angle"), ["60"]);
+  await page.focus("[data-filter=technique] [data-value=qdm]");
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("Enter");
+  assert.equal(await shownCount(), "8", "the focus stays where it was");
+  await page.keyboard.press("x");
+  assert.equal(await shownCount(), "20");
+  assert.equal((await fragment()).toString(), "");
+});
+
+test("hovering tells the cell and a click pins it", async () => {
+  await open("small", "techniques=qdm&axis.heightmap=rock&axis.view_angle=60");
+  await page.waitForSelector(".chart canvas");
+  const at = await findMark([0x00, 0x7f, 0x5f]);
+  await page.mouse.move(at.x, at.y);
+  await page.waitForSelector(".tip");
+  assert.match(await page.textContent(".tip"), /qdm.*rock.*60°.*0\.500 ms/);
+  await page.mouse.click(at.x, at.y);
+  assert.equal((await fragment()).get("pin"), "qdm leaf=exact | heightmap=rock view_angle=60");
+  assert.match(await page.textContent(".pin"), /qdm.*leaf=exact.*0\.500 ms/);
+});
+
+test("what to use is said in words for a budget and for a limit", async () => {
+  await open("small", "view=advice&axis.view_angle=60&budget=0.4");
+  assert.match(
+    await page.textContent(".answer"),
+    /At 60°, within 0\.400 ms.*Use pommax_steps=32: 99 % of its pixels are within 0\.250 texels, in 0\.320 ms/,
+  );
+  await page.fill(".amount input", "0.01");
+  assert.match(await page.textContent(".answer"), /Nothing does that.*cheapest takes 0\.0800 ms.*pom/);
+  await page.click("[data-value=limit]");
+  await page.fill(".amount input", "0.1");
+  assert.match(
+    await page.textContent(".answer"),
+    /at most 0\.100 texels.*Use qdm.*have no error.*in 0\.500 ms.*pommax_steps=128: 1\.28 ms/,
+  );
+});
+
+test("charts over steps and over the view angle have a line per technique", async () => {
+  await open("small", "view=axes");
+  assert.equal(await page.locator(".chart-pair canvas").count(), 2);
+  await findMark([0xc8, 0x52, 0x00]);
+  await page.selectOption(".field select >> nth=0", "axis.view_angle");
+  assert.equal((await fragment()).get("x"), "axis.view_angle");
+  await findMark([0xc8, 0x52, 0x00]);
+});
+
+test("pictures of a pinned cell: side by side, flip, slider, and the values of a pixel", async () => {
+  await open("small", `view=pictures&pin=${encodeURIComponent(pom)}`);
+  await page.waitForSelector("[data-picture=map]");
+  assert.deepEqual(await page.$$eval("canvas.picture", (all) => all.map((canvas) => canvas.dataset.picture)), [
+    "truth",
+    "technique",
+    "map",
+  ]);
+  const box = await page.locator("[data-picture=technique]").boundingBox();
+  await page.mouse.move(box.x + (box.width * 10.5) / 64, box.y + (box.height * 20.5) / 64);
+  assert.deepEqual(await texts(".pixel-value"), ["40  81  9", "40  80  7", "0  0  3"]);
+  assert.deepEqual(await texts(".map-value"), ["at most 0.010 texels"]);
+  await page.keyboard.press("ArrowRight");
+  assert.deepEqual(await texts(".map-value"), [""]);
+  assert.deepEqual(await texts(".pixel-value"), ["44  81  9", "44  80  7", "26  204  51"]);
+  await page.keyboard.press(" ");
+  await page.waitForSelector(".flip[data-shows=technique]");
+  await page.keyboard.press(" ");
+  await page.waitForSelector(".flip[data-shows=truth]");
+  await page.click("[data-value=side]");
+  await page.click("[data-value=flip]");
+  await page.keyboard.press(" ");
+  await page.waitForSelector(".flip[data-shows=technique]");
+  await page.click("[data-value=slider]");
+  await page.waitForSelector(".divider");
+  const frame = await page.locator(".picture-frame").first().boundingBox();
+  await page.mouse.move(frame.x + 0.5 * frame.width, frame.y + 20);
+  await page.mouse.down();
+  await page.mouse.move(frame.x + 0.25 * frame.width, frame.y + 20);
+  await page.mouse.up();
+  assert.ok(Math.abs(Number(await page.inputValue(".divider")) - 0.25) < 0.01);
+  await page.keyboard.press("j");
+  await page.waitForSelector(".empty");
+  assert.match(await page.textContent(".empty"), /no pictures of this cell/);
+});
+
+test("timing of a pinned cell: passes, a chart of its rounds, memory", async () => {
+  await open("small", "view=timing&pin=" + encodeURIComponent("qdm leaf=exact | heightmap=rock view_angle=60"));
+  await page.waitForSelector(".chart canvas");
+  assert.match(
+    await page.textContent(".timing"),
+    /draw.*18 samples in 9 rounds.*1\.50 ms.*85\.3 KiB.*fragment shader invocations4,096/,
+  );
+});
+
+test("the table sorts, searches and pins", async () => {
+  await open("small", "view=cells");
+  await page.click("[data-column='time.draw.median_ms'] button");
+  await page.click("[data-column='time.draw.median_ms'] button");
+  assert.match(await page.textContent(".rows tbody tr >> nth=0"), /max_steps=128/);
+  await page.keyboard.press("/");
+  await page.keyboard.type("pom uv<0.3 -bricks");
+  assert.equal(await page.textContent("#row-count"), "5 cells");
+  await page.click(".rows tbody tr >> nth=0");
+  assert.match((await fragment()).get("pin"), /^pom/);
+});
+
+test("what changed between two runs, verdict by verdict", async () => {
+  await open("changes", "view=changes");
+  assert.match(await page.textContent(".verdicts"), /19compared12slower/);
+  await page.click("[data-verdict=slower]");
+  assert.match(await page.textContent(".rows tbody tr >> nth=0"), /slower\+700 %/);
+  assert.match(await page.textContent(".view-changes"), /2 cells not compared.*flat \| heightmap=rock view_angle=0/);
+  await page.keyboard.press("r");
+  assert.match(await page.textContent("header"), /19 cells measured1 failed/);
+});
+
+test("a link leads to the view that it was taken from", async () => {
+  await open(
+    "small",
+    `view=cells&techniques=pom&axis.heightmap=rock&query=uv%3C1&sort=-error.uv_texels.p99&pin=${encodeURIComponent(pom)}`,
+  );
+  assert.equal(await page.inputValue("#query"), "uv<1");
+  assert.equal(await page.textContent("#row-count"), "5 cells");
+  assert.equal(await page.getAttribute("[data-column='error.uv_texels.p99']", "aria-sort"), "descending");
+  assert.equal(await page.getAttribute(".pin", "data-pin"), pom);
+  await page.evaluate(() => (location.hash = "#view=run"));
+  await page.waitForSelector(".view-run");
+  await open(
+    "small",
+    "view=nonsense&run=7&budget=x&pin=gone&axis.nothing=1&facet=__proto__&error=constructor&sort=-valueOf",
+  );
+  assert.match(await page.textContent(".pin-bar"), /no cell “gone”/);
+  await page.waitForSelector(".view-cost .chart canvas");
+});
+
+test("keys reach every view, cell, theme and the help", async () => {
+  await open("changes");
+  const seen = [];
+  for (let key = 1; key <= 8; ++key) {
+    await page.keyboard.press(String(key));
+    seen.push((await page.getAttribute("main section", "class")).replace("view-", ""));
+  }
+  assert.deepEqual(seen, ["cost", "advice", "axes", "pictures", "timing", "changes", "cells", "run"]);
+  await page.keyboard.press("j");
+  await page.keyboard.press("j");
+  await page.keyboard.press("k");
+  assert.match(await page.getAttribute(".pin", "data-pin"), /^flat \|/);
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator(".pin").count(), 0);
+  const theme = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const light = await theme();
+  await page.keyboard.press("t");
+  assert.notEqual(await theme(), light);
+  await page.keyboard.press("?");
+  assert.ok(await page.locator("dialog").isVisible());
+  await page.keyboard.press("Escape");
+  assert.ok(!(await page.locator("dialog").isVisible()));
+});
+
+test("failed and skipped cells are there with their reasons, and no text becomes markup", async () => {
+  await open("troubled");
+  assert.match(await page.textContent("header"), /1 failed1 skipped/);
+  assert.match(
+    await page.textContent(".troubles"),
+    /2 cells were not measured.*trace\.glsl:3: <img src=x.*no tessellation/,
+  );
+  for (const view of ["advice", "axes", "pictures", "timing", "run"]) await open("troubled", `view=${view}`);
+  await open("troubled", "view=cells");
+  await page.click("[data-status=failed]");
+  assert.equal(await page.textContent("#row-count"), "1 cell");
+  assert.ok((await page.textContent(".rows tbody tr >> nth=0")).includes(`trace.glsl:3: ${hostile}`));
+  assert.equal(await page.locator("img, main script").count(), 0);
+  assert.ok(!(await page.title()).startsWith("broken"));
+});
+
+test("a run without cells says so in every view", async () => {
+  for (const view of ["cost", "advice", "axes", "pictures", "timing", "cells", "run"])
+    await open("empty", `view=${view}`);
+  await open("empty");
+  assert.match(await page.textContent(".note"), /No cell of this run was measured/);
+});
+
+test("10,000 cells: chart, filter, table", async () => {
+  await open("large");
+  await page.waitForSelector(".chart canvas");
+  assert.equal(await shownCount(), "10,000");
+  await page.click("[data-filter=technique] [data-value=technique_03]", { modifiers: ["Shift"] });
+  assert.equal(await shownCount(), "500");
+  await page.keyboard.press("x");
+  await page.keyboard.press("6");
+  assert.equal(await page.textContent("#row-count"), "10,000 cells");
+  assert.ok((await page.locator(".rows tbody tr").count()) < 120, "rows out of sight are no elements");
+  await page.fill("#query", "technique_07 uv<0.1");
+  assert.match(await page.textContent("#row-count"), /^[\d,]+ cells$/);
+});

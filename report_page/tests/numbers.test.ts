@@ -1,0 +1,69 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { logRange, powerText } from "../src/scales.ts";
+import { bytesText, changeText, geometricMean, median, significant } from "../src/numbers.ts";
+import { addBase, fromPalette, valueOfColour } from "../src/pictures.ts";
+
+test("figures have significant digits, and what is undefined is a dash", () => {
+  assert.equal(significant(1234.5), "1235");
+  assert.equal(significant(12.345), "12.3");
+  assert.equal(significant(0.001234), "0.00123");
+  assert.equal(significant(0.00001234), "1.23e−5");
+  assert.equal(significant(-0.5), "−0.500");
+  assert.equal(significant(0), "0");
+  for (const undefinedValue of [null, undefined, NaN, Infinity]) assert.equal(significant(undefinedValue), "–");
+});
+
+test("ratios read as changes, bytes with their unit", () => {
+  assert.equal(changeText(1.0721), "+7.2 %");
+  assert.equal(changeText(0.935), "−6.5 %");
+  assert.equal(changeText(8), "+700 %");
+  assert.equal(changeText(0.9999), "0 %");
+  assert.equal(changeText(null), "–");
+  assert.equal(bytesText(87381), "85.3 KiB");
+  assert.equal(bytesText(0), "0 B");
+  assert.equal(bytesText(null), "–");
+});
+
+test("means and medians", () => {
+  assert.equal(median([3, 1, 2]), 2);
+  assert.equal(median([4, 1, 2, 3]), 2.5);
+  assert.equal(median([]), null);
+  assert.ok(Math.abs(geometricMean([1, 100]) - 10) < 1e-9);
+  assert.equal(geometricMean([0, 2]), 1, "arithmetic where there is a zero");
+});
+
+test("a logarithmic axis spans the values and has a place for zeros", () => {
+  const range = logRange([0.01, 10]);
+  assert.ok(range.min < 0.01 && range.min > 0.005 && range.max > 10 && !range.hasZero);
+  const withZero = logRange([0, 0.01, 10]);
+  assert.equal(withZero.min, withZero.zero);
+  assert.ok(withZero.zero < 0.01);
+  assert.ok(logRange([]).min < logRange([]).max);
+  assert.ok(logRange([0]).min > 0);
+});
+
+test("powers are written as people write them", () => {
+  assert.equal(powerText(0.001), "0.001");
+  assert.equal(powerText(1e-5), "10⁻⁵");
+  assert.equal(powerText(1e6), "10⁶");
+  assert.equal(powerText(4), "4");
+});
+
+test("pictures unpack from a palette, with one byte or two, and from a difference", () => {
+  const palette = new Uint8Array(3 * 300).map((_, at) => at % 251);
+  assert.deepEqual([...fromPalette(Uint8Array.of(1, 0), palette, 2)], [3, 4, 5, 0, 1, 2]);
+  const wide = fromPalette(Uint8Array.of(1, 0, 1, 0), palette, 2);
+  assert.deepEqual([...wide], [...palette.subarray(3 * 257, 3 * 258), 0, 1, 2]);
+  assert.deepEqual([...addBase(Uint8Array.of(1, 255), Uint8Array.of(2, 3))], [3, 2]);
+});
+
+test("a map's colour is read back as the value that it stands for, and no other colour is", () => {
+  const colours = Uint8Array.of(0, 0, 0, 100, 0, 0, 200, 100, 0);
+  const legend = { title: "", unit: "texels", dark: 0.01, light: 1, logarithmic: true, colours: "", picture: -1 };
+  assert.equal(valueOfColour([100, 1, 0], legend, colours), 0.1);
+  assert.equal(valueOfColour([200, 100, 0], legend, colours), 1);
+  assert.equal(valueOfColour([26, 89, 255], legend, colours), null);
+  assert.equal(valueOfColour([100, 0, 0], { ...legend, dark: 1, light: 0, logarithmic: false }, colours), 0.5);
+});
