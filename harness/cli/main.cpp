@@ -1,4 +1,5 @@
 #include "cli/command.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/run_sides.hpp"
 #include "core/error.hpp"
 #include "core/suggest.hpp"
@@ -28,6 +29,9 @@ ExitCode execute(const ChosenCommand& chosen) {
         const ExitCode code = chosen();
         flush_results();
         return code;
+    } catch (const Interrupted& interrupted) {
+        std::fflush(stdout);
+        end_by_signal(interrupted.signal);
     } catch (const Error& error) {
         fmt::print(stderr, "reliefbench: {}\n", error.what());
         return ExitCode::bad_input;
@@ -65,8 +69,12 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", RELIEFBENCH_VERSION);
     app.require_subcommand(1);
     app.footer(
-        "Exit codes: 0 done, nothing worse; 1 a regression was found; 2 usage, configuration or input error; "
-        "3 undecided; 4 some cells or checks failed; 5 internal error.\n"
+        "Exit codes: 0 done, nothing worse; 1 a regression was found; 2 usage, configuration or input error;\n"
+        "  3 undecided; 4 some cells or checks failed; 5 internal error. What is interrupted ends by the signal.\n"
+        "Environment: RELIEFBENCH_DEVICE, the device unless --device says otherwise; RELIEFBENCH_DATA_DIR, the folder\n"
+        "  of techniques/, configs/ and harness/shaders/; RELIEFBENCH_STATE_DIR, where what `selfcheck` finds is "
+        "kept;\n"
+        "  NO_COLOR, no colours.\n"
         "`reliefbench COMMAND --help` shows the options of a command and an example.\n");
     ChosenCommand chosen;
     add_list_command(app, chosen);
@@ -80,6 +88,8 @@ int main(int argc, char** argv) {
     add_export_command(app, chosen);
     add_report_command(app, chosen);
     add_bench_command(app, chosen);
+    add_completion_command(app, chosen);
+    add_man_command(app, chosen);
     try {
         std::vector<std::string> arguments = keep_separator({argv + 1, argv + argc});
         std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back

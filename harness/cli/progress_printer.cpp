@@ -34,13 +34,16 @@ std::string format_duration(double seconds) {
 
 std::string format_progress(const Progress& progress) {
     const std::string total = std::to_string(progress.cells_total);
+    std::string share;
     std::string left;
     if (progress.remaining_s >= 0) {
         const double whole_s = progress.elapsed_s + progress.remaining_s;
         const double percent = whole_s > 0 ? 100 * progress.elapsed_s / whole_s : 0;
-        left = fmt::format(" {:3.0f} %, {} left", percent, format_duration(progress.remaining_s));
+        share = fmt::format(" {:3.0f} %,", percent);
+        left = fmt::format(", {} left", format_duration(progress.remaining_s));
     }
-    return fmt::format("[{:>{}}/{}]{}: {}", progress.cells_done, total.size(), total, left, progress.current);
+    return fmt::format("[{:>{}}/{}]{} {} elapsed{}: {}", progress.cells_done, total.size(), total, share,
+                       format_duration(progress.elapsed_s), left, progress.current);
 }
 
 ProgressPrinter::ProgressPrinter() : terminal_(isatty(STDERR_FILENO) == 1) {}

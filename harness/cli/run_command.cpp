@@ -1,8 +1,12 @@
+#include "cli/colour_choice.hpp"
 #include "cli/command.hpp"
 #include "cli/export_target.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/progress_printer.hpp"
+#include "cli/results.hpp"
 #include "cli/run_sources.hpp"
 #include "cli/shared_options.hpp"
+#include "cli/terminal.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/suggest.hpp"
@@ -12,7 +16,7 @@
 #include "measure/run_record.hpp"
 #include "measure/run_summary.hpp"
 #include "measure/shared_inputs.hpp"
-#include "report/table.hpp"
+#include "report/run_format.hpp"
 #include "store/resume.hpp"
 #include "store/run_folder.hpp"
 
@@ -21,6 +25,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ctime>
 #include <filesystem>
 #include <memory>
@@ -37,7 +42,9 @@ struct RunOptions {
     std::vector<std::string> axes;
     std::vector<std::string> filters;
     std::vector<std::string> exports;
+    std::string format = run_format_names().front();
     bool dry_run = false;
+    ColourChoice colour;
     TechniqueOptions library;
     DeviceChoice device;
     std::vector<std::string> command_line;
@@ -127,8 +134,34 @@ ExitCode report_failures(const std::vector<CellResult>& cells) {
     return failures > 0 ? ExitCode::cells_failed : ExitCode::done;
 }
 
+/// As a shell takes it.
+std::string quoted_word(const std::filesystem::path& path) {
+    const std::string text = path.string();
+    if (text.find_first_of(" '\"\\$`*?;&|<>()") == std::string::npos) return text;
+    std::string quoted = "'";
+    for (const char character : text) {
+        quoted += character == '\'' ? std::string("'\\''") : std::string(1, character);
+    }
+    return quoted + "'";
+}
+
+/// Where the table is not asked for, standard output is for another program.
+void print_outcome(const RunOutcome& outcome, const Json& record, const RunOptions& options) {
+    const RunFormat format = parse_run_format(options.format);
+    const TableStyle style{.columns = std::min(table_columns(), TableStyle().columns),
+                           .colour = options.colour.is_wanted()};
+    print_results(format_run({record, outcome.cells}, format, style));
+    const std::string summary = format_run_summary(outcome, record.at("empty_pass"));
+    if (format == RunFormat::table) {
+        print_results(summary);
+    } else {
+        fmt::print(stderr, "{}", summary);
+    }
+}
+
 ExitCode run(const RunOptions& options) {
     const double start_s = steady_clock().seconds();
+    parse_run_format(options.format);
     const std::vector<ExportTarget> exports = parse_export_targets(options.exports);
     const RunSources sources = read_run_sources(options.configuration, options.axes, options.filters, options.library);
     if (options.dry_run) return print_plan(sources.cells);
@@ -149,17 +182,27 @@ ExitCode run(const RunOptions& options) {
         fmt::print(stderr, "{} of them are finished already\n", opened.earlier.finished.size());
     }
 
+    const InterruptWatch watch("\nreliefbench: interrupted; finishing the visit (interrupt again to end at once)\n");
     RunOutcome outcome;
     {
         ProgressPrinter printer;
         outcome = run_cells(device, sources.library, sources.configuration, sources.cells, writer,
                             [&printer](const Progress& progress) { printer(progress); }, steady_clock(),
-                            {.in_flight = {}, .earlier = std::move(opened.earlier)});
+                            {.in_flight = {}, .earlier = std::move(opened.earlier), .is_interrupted = [&watch] {
+                                 return watch.signal() != 0;
+                             }});
     }
     outcome.split.total_s = steady_clock().seconds() - start_s;
-    fmt::print("{}", format_table(outcome.cells));
     const Json& empty_pass = record.at("empty_pass");
-    fmt::print("{}", format_run_summary(outcome, empty_pass));
+    print_outcome(outcome, record, options);
+    if (outcome.interrupted) {
+        fmt::print(stderr,
+                   "reliefbench: interrupted with {} of {} cells finished; every sample is kept. Go on with\n"
+                   "    reliefbench run {} -o {} --resume\n",
+                   outcome.cells.size(), sources.cells.size(), quoted_word(writer.folder() / "run.json"),
+                   quoted_word(writer.folder()));
+        throw Interrupted{watch.signal()};
+    }
     writer.write_summary(make_run_summary(outcome, empty_pass));
     write_exports(writer.folder(), exports);
     return graver(report_failures(outcome.cells), check_validation(device));
@@ -197,12 +240,22 @@ void add_run_command(CLI::App& app, ChosenCommand& chosen, const std::vector<std
         *command, "--export", options->exports,
         "Write the finished run for other tools, too: " + join(export_format_names()) + " (may be repeated)")
         ->type_name("FORMAT=FILE");
+    command
+        ->add_option("--format", options->format,
+                     "What goes to standard output: the table, or for scripts markdown, csv (one row per cell) or json "
+                     "(an array of the cells); default: table")
+        ->type_name(join(run_format_names(), "|"));
+    options->colour.add_to(*command);
     command->add_flag("--dry-run", options->dry_run, "Print blocks and cells; measure and write nothing");
     options->library.add_to(*command);
     options->device.add_to(*command);
     command->footer(
         "The table goes to standard output, progress to standard error. Exit code 4 when some cells failed.\n"
-        "Example: reliefbench run configs/quick.json -a view_angle=0,60 --filter technique=pom,qdm -o results/mine\n");
+        "Ctrl-C (or SIGTERM) finishes the visit at hand, shows the cells that are finished and says how to go on; the\n"
+        "second one ends at once. Every sample is kept. The program then ends by that signal: a shell reports 130.\n"
+        "Example: reliefbench run configs/quick.json -a view_angle=0,60 --filter technique=pom,qdm -o results/mine\n"
+        "Example: reliefbench run configs/quick.json -o results/mine --resume\n"
+        "Example: reliefbench run configs/smoke.json --format csv > cells.csv\n");
     command->callback([&chosen, options] { chosen = [options] { return run(*options); }; });
 }
 

@@ -91,26 +91,27 @@ private:
     CellResult::Motion counts_;
 };
 
-/// An Error is the cell's own.
+/// The next frame of every cell; an Error is the cell's own. False when told to end.
 template <typename Step>
-void attempt(FollowedCell& cell, const std::function<void(const std::string&)>& on_cell, const Step& step) {
-    if (cell.failed()) return;
-    if (on_cell) on_cell(cell.id());
-    try {
-        step();
-    } catch (const Error& error) {
-        cell.fail_with(error.what());
+bool step_all(std::vector<FollowedCell>& cells, const GoesOn& goes_on, const Step& step) {
+    for (FollowedCell& cell : cells) {
+        if (cell.failed()) continue;
+        if (goes_on && !goes_on(cell.id())) return false;
+        try {
+            step(cell);
+        } catch (const Error& error) {
+            cell.fail_with(error.what());
+        }
     }
+    return true;
 }
 
-void follow_cells(SharedInputs& inputs, const ViewKey& view, const Configuration& configuration,
-                  std::span<const MotionSubject> subjects, const std::function<void(const std::string&)>& on_cell) {
+bool follow_cells(SharedInputs& inputs, const ViewKey& view, const Configuration& configuration,
+                  std::span<const MotionSubject> subjects, const GoesOn& goes_on) {
     const MotionSettings& settings = *configuration.motion;
     const auto camera_of = [&](int frame) { return camera_in_motion(view.view.camera, settings, frame); };
     std::vector<FollowedCell> cells(subjects.begin(), subjects.end());
-    for (FollowedCell& cell : cells) {
-        attempt(cell, on_cell, [&] { cell.start(camera_of(0)); });
-    }
+    if (!step_all(cells, goes_on, [&](FollowedCell& cell) { cell.start(camera_of(0)); })) return false;
     std::optional<Truth> held;
     for (int frame = 1; frame < settings.frames; ++frame) {
         const Truth& first = held ? *held : inputs.truth(view);
@@ -125,25 +126,24 @@ void follow_cells(SharedInputs& inputs, const ViewKey& view, const Configuration
                              .camera = camera,
                              .motion = follow_truth({camera, first.hits, first.footprint},
                                                     {next, second.hits, second.footprint}, view.view.relief)};
-        for (FollowedCell& cell : cells) {
-            attempt(cell, on_cell, [&] { cell.follow(pair, next); });
-        }
+        if (!step_all(cells, goes_on, [&](FollowedCell& cell) { cell.follow(pair, next); })) return false;
         held = std::move(second);
     }
     for (const FollowedCell& cell : cells) {
         if (!cell.failed()) cell.finish();
     }
+    return true;
 }
 
 }  // namespace
 
 void measure_motion(SharedInputs& inputs, const ViewKey& view, const Configuration& configuration,
-                    std::span<const MotionSubject> subjects, const std::function<void(const std::string&)>& on_cell) {
+                    std::span<const MotionSubject> subjects, const GoesOn& goes_on) {
     const std::size_t bytes_each = view.view.resolution.pixels() * sizeof(Hit);
     const std::size_t at_once = std::max<std::size_t>(1, held_bytes / bytes_each);
     for (std::size_t begin = 0; begin < subjects.size(); begin += at_once) {
-        follow_cells(inputs, view, configuration, subjects.subspan(begin, std::min(at_once, subjects.size() - begin)),
-                     on_cell);
+        const auto some = subjects.subspan(begin, std::min(at_once, subjects.size() - begin));
+        if (!follow_cells(inputs, view, configuration, some, goes_on)) return;
     }
 }
 

@@ -39,16 +39,17 @@ public:
     }
 
     std::vector<SampledSubject> run() {
-        for (std::size_t subject = 0; subject < states_.size(); ++subject) {
+        for (std::size_t subject = 0; subject < states_.size() && !interrupted(); ++subject) {
             attempt(subject, [&] { states_[subject].subject->warm_up(); });
         }
         if (callbacks_.on_warm) callbacks_.on_warm();
         Random random(sampling_.seed);
-        for (int round = sampling_.first_round;; ++round) {
+        for (int round = sampling_.first_round; !interrupted(); ++round) {
             std::vector<std::size_t> order = unsettled();
             if (order.empty()) break;
             random.shuffle(std::span<std::size_t>(order));
             visit_all(order, round);
+            if (interrupted()) break;
             if (callbacks_.on_round) callbacks_.on_round(round);
         }
         std::vector<SampledSubject> results;
@@ -73,6 +74,8 @@ private:
         int order;
     };
 
+    bool interrupted() const { return callbacks_.is_interrupted && callbacks_.is_interrupted(); }
+
     std::vector<std::size_t> unsettled() {
         std::vector<std::size_t> subjects;
         for (std::size_t subject = 0; subject < states_.size(); ++subject) {
@@ -89,7 +92,7 @@ private:
     }
 
     void visit_all(const std::vector<std::size_t>& order, int round) {
-        for (std::size_t position = 0; position < order.size(); ++position) {
+        for (std::size_t position = 0; position < order.size() && !interrupted(); ++position) {
             if (submitted_.size() == sampling_.in_flight) collect();
             const std::size_t subject = order[position];
             if (attempt(subject, [&] { states_[subject].subject->submit(sampling_.samples_per_visit); })) {

@@ -57,12 +57,14 @@ struct RoundCallbacks {
     std::function<void(std::size_t subject, StopReason reason)> on_stop;
     /// Whether the device is throttled right now; asked at the end of every visit.
     std::function<bool()> is_throttled;
+    /// Whether to end early; asked before every visit. Visits that the device has already are finished.
+    std::function<bool()> is_interrupted;
 };
 
 struct SampledSubject {
     /// What counts.
     SampleRounds samples;
-    /// Empty: the subject failed.
+    /// Empty: the subject failed, or sampling was interrupted before it was done.
     std::optional<StopReason> stop;
     /// Of the rounds that count.
     std::size_t throttled_rounds = 0;

@@ -69,6 +69,7 @@ public:
           on_progress_(on_progress),
           clock_(clock),
           earlier_(options.earlier),
+          is_interrupted_(options.is_interrupted),
           start_s_(clock.seconds()),
           in_flight_(options.in_flight.value_or(device.info().type == gpu::DeviceType::cpu ? 1 : 2)),
           device_state_(gpu::open_device_state(device)),
@@ -89,13 +90,17 @@ public:
         }
         if (configuration_.images) write_legends(writer_);
         const std::vector<Block> blocks = make_blocks(cells_);
-        for (std::size_t block = 0; block < blocks.size(); ++block) {
+        for (std::size_t block = 0; block < blocks.size() && !interrupted(); ++block) {
             const std::vector<std::size_t> unfinished = without_finished(blocks[block].cells);
             if (!unfinished.empty()) measure_block(unfinished, block, mix_bits(configuration_.seed + block));
         }
         split_.total_s = clock_.seconds() - start_s_;
         split_.truth_s = inputs_.truth_seconds();
-        return {std::move(results_), split_};
+        const bool ended_early = interrupted();
+        if (ended_early) {
+            std::erase_if(results_, [](const CellResult& result) { return result.cell.empty(); });
+        }
+        return {std::move(results_), ended_early, split_};
     }
 
 private:
@@ -104,6 +109,8 @@ private:
         Renderer renderer;
         CellResult result;
     };
+
+    bool interrupted() const { return is_interrupted_ && is_interrupted_(); }
 
     std::vector<std::size_t> without_finished(std::vector<std::size_t> cells) const {
         std::erase_if(cells, [this](std::size_t index) { return earlier_.finished.contains(cells_[index].id); });
@@ -126,6 +133,7 @@ private:
             make_view_ready(left.first(of_view), ready);
             left = left.subspan(of_view);
         }
+        if (interrupted()) return;
         sample(ready, number, seed);
     }
 
@@ -134,6 +142,7 @@ private:
         std::vector<ReadyCell> of_view;
         of_view.reserve(indices.size());
         for (std::size_t index : indices) {
+            if (interrupted()) return;
             const double begin_s = clock_.seconds();
             std::optional<ReadyCell> cell = make_ready(index);
             estimate_.add_preparation(clock_.seconds() - begin_s);
@@ -144,6 +153,7 @@ private:
             }
         }
         if (configuration_.motion && !of_view.empty()) follow_motion(of_view);
+        if (interrupted()) return;
         for (ReadyCell& cell : of_view) {
             if (cell.result.status == CellStatus::ok) {
                 ready.push_back(std::move(cell));
@@ -161,7 +171,10 @@ private:
             subjects.push_back({&cell.renderer, &cell.result});
         }
         measure_motion(inputs_, cells_[of_view.front().index].view, configuration_, subjects,
-                       [this](const std::string& cell) { report(cell + ", in motion"); });
+                       [this](const std::string& cell) {
+                           report(cell + ", in motion");
+                           return !interrupted();
+                       });
         estimate_.extend_preparation(clock_.seconds() - begin_s);
     }
 
@@ -226,7 +239,8 @@ private:
         std::vector<SampledSubject> sampled = sample_in_rounds(subjects, *rule_, rounds, callbacks(sampling));
         split_.timing_s += sampling.last_visit_s - sampling.first_visit_s;
         for (std::size_t subject = 0; subject < ready.size(); ++subject) {
-            finish(ready[subject], std::move(sampled[subject]), sampling.draws[subject].repeats());
+            const bool done = sampled[subject].stop || ready[subject].result.status == CellStatus::failed;
+            if (done) finish(ready[subject], std::move(sampled[subject]), sampling.draws[subject].repeats());
         }
     }
 
@@ -257,6 +271,7 @@ private:
         callbacks.on_stop = [this, &sampling](std::size_t subject, StopReason) {
             estimate_.finish_cell(sampling.visits[subject]);
         };
+        callbacks.is_interrupted = [this] { return interrupted(); };
         callbacks.is_throttled = [this] { return recent_state_.is_throttled(); };
         callbacks.on_round = [this, &sampling](int round) { keep_round(round, sampling); };
         return callbacks;
@@ -346,6 +361,7 @@ private:
     const std::function<void(const Progress&)>& on_progress_;
     const Clock& clock_;
     const EarlierWork& earlier_;
+    const std::function<bool()>& is_interrupted_;
     double start_s_;
     std::size_t in_flight_;
     std::unique_ptr<gpu::DeviceStateSource> device_state_;

@@ -48,16 +48,22 @@ struct MeasureOptions {
     /// Of an interrupted execution of the same cells: finished ones stay as they are, the others go on with the rounds
     /// they have.
     EarlierWork earlier = {};
+    /// Whether to end early, with what is done; asked between any two pieces of work. May be empty.
+    std::function<bool()> is_interrupted = {};
 };
 
 struct RunOutcome {
+    /// Of an interrupted run those that are finished.
     std::vector<CellResult> cells;
+    bool interrupted = false;
     TimeSplit split;
 };
 
 /// Measures every cell, block by block: truths once per view, compile, prepare, probe (errors and work, and errors in
 /// motion where they are asked for), warm up, sample in rounds, then append the block's cells to the run's folder and
 /// free its truths and pipelines. What fails is a cell's failure; an Error of the store (a full disk) ends the run.
+/// When it is interrupted the visits at hand are finished; every sample is in the folder then, so that the run can be
+/// gone on with.
 RunOutcome run_cells(const gpu::Device& device, const TechniqueLibrary& library, const Configuration& configuration,
                      const std::vector<Cell>& cells, RunWriter& writer,
                      const std::function<void(const Progress&)>& on_progress, const Clock& clock = steady_clock(),

@@ -132,8 +132,10 @@ private:
                 subjects.push_back({&pairs[begin].base.renderer, &pairs[begin].base.result});
                 subjects.push_back({&pairs[begin].changed.renderer, &pairs[begin].changed.result});
             }
-            measure_motion(inputs_, view, configuration_, subjects,
-                           [this](const std::string& cell) { report(cell + ", in motion"); });
+            measure_motion(inputs_, view, configuration_, subjects, [this](const std::string& cell) {
+                report(cell + ", in motion");
+                return true;
+            });
         }
         std::vector<ReadyPair> kept;
         kept.reserve(pairs.size());

@@ -65,22 +65,48 @@ std::string format_timing(const CellResult& cell) {
     return fmt::format("{} ± {:.{}f}", ms, draw->second.mad_ms, decimals);
 }
 
-std::string format_number(const std::optional<double>& value) {
-    return value ? significant(*value) : undefined;
+QualityCostFigure figure(const std::optional<double>& value) {
+    return {value ? significant(*value) : undefined, value};
 }
 
-/// In the order of the titles.
-std::vector<std::string> format_columns(const CellResult& cell) {
-    std::vector<std::string> columns = {format_timing(cell), format_number(cell.ns_per_pixel)};
-    columns.push_back(cell.work ? significant(cell.work->taps_mean) : undefined);
-    columns.push_back(format_number(cell.prepare_ms));
-    const auto& error = cell.error;
-    columns.push_back(error && error->uv_texels ? significant(error->uv_texels->p50) : undefined);
-    columns.push_back(error && error->uv_texels ? significant(error->uv_texels->p99) : undefined);
-    columns.push_back(error && error->depth ? significant(error->depth->p99) : undefined);
-    columns.push_back(error ? significant(100 * error->missed) : undefined);
-    columns.push_back(error ? significant(100 * error->false_hits) : undefined);
+/// A member of what may be missing altogether.
+template <typename Fields>
+std::optional<double> member(const std::optional<Fields>& fields, double Fields::*value) {
+    if (!fields) return std::nullopt;
+    return (*fields).*value;
+}
+
+std::optional<double> percent(const std::optional<double>& fraction) {
+    if (!fraction) return std::nullopt;
+    return 100 * *fraction;
+}
+
+const std::vector<QualityCostColumn>& columns_of_all() {
+    static const std::vector<QualityCostColumn> columns = {
+        {"ms", false},    {"ns/pixel", false}, {"taps", false}, {"prep ms", false}, {"uv p50", true},
+        {"uv p99", true}, {"depth p99", true}, {"flip", true},  {"missed %", true}, {"false %", true}};
     return columns;
+}
+
+/// In the order of the columns.
+std::vector<QualityCostFigure> figures_of(const CellResult& cell, bool with_motion) {
+    using Errors = CellResult::Errors;
+    const Errors error = cell.error.value_or(Errors());
+    std::vector<QualityCostFigure> figures = {{format_timing(cell), draw_ms(cell)},
+                                              figure(cell.ns_per_pixel),
+                                              figure(member(cell.work, &CellResult::Work::taps_mean)),
+                                              figure(cell.prepare_ms),
+                                              figure(member(error.uv_texels, &Summary::p50)),
+                                              figure(member(error.uv_texels, &Summary::p99)),
+                                              figure(member(error.depth, &Summary::p99)),
+                                              figure(cell.image ? cell.image->flip : std::nullopt),
+                                              figure(percent(member(cell.error, &Errors::missed))),
+                                              figure(percent(member(cell.error, &Errors::false_hits)))};
+    if (with_motion) {
+        const auto motion = cell.motion ? cell.motion->texels : std::nullopt;
+        figures.push_back(figure(member(motion, &CellResult::MotionFigure::mean)));
+    }
+    return figures;
 }
 
 }  // namespace
@@ -92,23 +118,20 @@ std::pair<std::string, std::string> split_cell_id(const std::string& id) {
     return {id.substr(0, at), id.substr(at + bar.size())};
 }
 
-const std::vector<std::string>& quality_cost_titles() {
-    static const std::vector<std::string> titles = {"ms",     "ns/pixel",  "taps",     "prep ms", "uv p50",
-                                                    "uv p99", "depth p99", "missed %", "false %"};
-    return titles;
-}
-
-std::vector<QualityCostView> quality_cost_views(const std::vector<CellResult>& cells) {
-    std::vector<QualityCostView> groups;
+QualityCostTable quality_cost_table(const std::vector<CellResult>& cells) {
+    QualityCostTable table{.columns = columns_of_all(), .views = {}};
+    const bool with_motion =
+        std::any_of(cells.begin(), cells.end(), [](const CellResult& cell) { return cell.motion.has_value(); });
+    if (with_motion) table.columns.push_back({"motion", true});
     for (const CellResult& cell : cells) {
         if (cell.status != CellStatus::ok) continue;
         const std::string view = split_cell_id(cell.cell).second;
-        auto group =
-            std::find_if(groups.begin(), groups.end(), [&](const QualityCostView& each) { return each.view == view; });
-        if (group == groups.end()) group = groups.insert(groups.end(), QualityCostView{view, {}});
-        group->rows.push_back({&cell, ' ', format_columns(cell)});
+        auto group = std::find_if(table.views.begin(), table.views.end(),
+                                  [&](const QualityCostView& each) { return each.view == view; });
+        if (group == table.views.end()) group = table.views.insert(table.views.end(), QualityCostView{view, {}});
+        group->rows.push_back({&cell, ' ', figures_of(cell, with_motion)});
     }
-    for (QualityCostView& group : groups) {
+    for (QualityCostView& group : table.views) {
         std::sort(group.rows.begin(), group.rows.end(), [](const QualityCostRow& a, const QualityCostRow& b) {
             return std::pair(sorting_ms(*a.cell), a.cell->cell) < std::pair(sorting_ms(*b.cell), b.cell->cell);
         });
@@ -116,7 +139,7 @@ std::vector<QualityCostView> quality_cost_views(const std::vector<CellResult>& c
             row.mark = mark_of(*row.cell, group.rows);
         }
     }
-    return groups;
+    return table;
 }
 
 std::vector<ReasonGroup> group_by_reason(const std::vector<CellResult>& cells, CellStatus status) {

@@ -2,6 +2,7 @@
 
 #include "store/cell_result.hpp"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,14 +12,27 @@ namespace reliefbench {
 /// A cell's id is "<technique and parameters> | <view>".
 std::pair<std::string, std::string> split_cell_id(const std::string& id);
 
+/// One figure of a cell. Less is better in all of them.
+struct QualityCostFigure {
+    std::string text;
+    /// Empty where it is undefined.
+    std::optional<double> value;
+};
+
+struct QualityCostColumn {
+    std::string title;
+    /// Of the picture; else of its cost.
+    bool is_error = false;
+};
+
 /// Quality against cost of one cell: what the table on the terminal and the one in Markdown show.
 struct QualityCostRow {
     const CellResult* cell = nullptr;
     /// '*' on the Pareto front of time and 99th percentile of the UV error; '!' kept off it because missed and false
     /// hits exceed 0.5 % of the footprint; else ' '.
     char mark = ' ';
-    /// One text per title.
-    std::vector<std::string> columns;
+    /// One for each column.
+    std::vector<QualityCostFigure> figures;
 };
 
 struct QualityCostView {
@@ -26,12 +40,15 @@ struct QualityCostView {
     std::vector<QualityCostRow> rows;
 };
 
-/// ms (median ± MAD of the draw), ns per covered pixel, taps per pixel, milliseconds of preparation, UV error in
-/// texels, depth error, missed and false hits.
-const std::vector<std::string>& quality_cost_titles();
+struct QualityCostTable {
+    std::vector<QualityCostColumn> columns;
+    std::vector<QualityCostView> views;
+};
 
-/// The measured cells by view, in the order of the cells; within a view by ascending time, then by id. Refers to them.
-std::vector<QualityCostView> quality_cost_views(const std::vector<CellResult>& cells);
+/// ms (median ± MAD of the draw), ns per covered pixel, taps per pixel, milliseconds of preparation, UV error in
+/// texels, depth error, FLIP, missed and false hits; where a cell has it the mean change of the UV error in motion. The
+/// measured cells by view, in the order of the cells; within a view by ascending time, then by id. Refers to them.
+QualityCostTable quality_cost_table(const std::vector<CellResult>& cells);
 
 /// Cells that failed or were skipped for the same reason, in the order of their first.
 struct ReasonGroup {

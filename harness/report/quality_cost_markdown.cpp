@@ -12,17 +12,21 @@ namespace reliefbench {
 
 namespace {
 
-std::string format_view(const QualityCostView& view) {
+std::string format_view(const QualityCostView& view, const std::vector<QualityCostColumn>& columns) {
     std::vector<std::string> titles = {"", "technique"};
-    titles.insert(titles.end(), quality_cost_titles().begin(), quality_cost_titles().end());
+    for (const QualityCostColumn& column : columns) {
+        titles.push_back(column.title);
+    }
     std::vector<std::vector<std::string>> rows;
     for (const QualityCostRow& row : view.rows) {
         std::vector<std::string> cells = {row.mark == ' ' ? "" : markdown_text(std::string(1, row.mark)),
                                           markdown_code(split_cell_id(row.cell->cell).first)};
-        cells.insert(cells.end(), row.columns.begin(), row.columns.end());
+        for (const QualityCostFigure& figure : row.figures) {
+            cells.push_back(figure.text);
+        }
         rows.push_back(std::move(cells));
     }
-    const std::string alignment = "cl" + std::string(quality_cost_titles().size(), 'r');
+    const std::string alignment = "cl" + std::string(columns.size(), 'r');
     const std::string title = view.view.empty() ? "default view" : markdown_text(view.view);
     return fmt::format("### {}\n\n{}\n", title, markdown_table(titles, alignment, rows));
 }
@@ -43,14 +47,15 @@ std::string format_unmeasured(const Run& run, CellStatus status, std::string_vie
 
 std::string format_quality_cost_markdown(const Run& run) {
     std::string text;
-    for (const QualityCostView& view : quality_cost_views(run.cells)) {
-        text += format_view(view);
+    const QualityCostTable table = quality_cost_table(run.cells);
+    for (const QualityCostView& view : table.views) {
+        text += format_view(view, table.columns);
     }
     if (!text.empty()) {
         text +=
             "\\* nothing in the view is both faster and better (UV p99); ! missed + false hits above 0.5 %: its errors "
             "do not count. ms: median ± MAD of the draw; prep: making its maps; uv: texels; depth: patch sides; "
-            "missed, false: % of the footprint.\n\n";
+            "missed, false: % of the footprint; motion: change of the UV error between frames, texels.\n\n";
     }
     return text + format_unmeasured(run, CellStatus::failed, "failed") +
            format_unmeasured(run, CellStatus::skipped, "skipped");

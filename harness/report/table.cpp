@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -13,96 +14,169 @@ namespace reliefbench {
 
 namespace {
 
-constexpr std::size_t terminal_columns = 140;
 constexpr std::size_t space_between = 2;
 /// Mark and a space.
 constexpr std::size_t mark_columns = 2;
+/// Room for names that columns give way to.
+constexpr std::size_t wanted_name_columns = 28;
 /// Cells named under each reason for which cells failed or were skipped.
 constexpr std::size_t cells_named = 3;
 
-constexpr const char* legend =
-    "* nothing in the view is both faster and better (UV p99)   "
-    "! missed + false hits above 0.5 %: its errors do not count\n"
-    "ms: median ± MAD of the draw; prep: making its maps; uv: texels; depth: patch sides; missed, false: % of the "
-    "footprint\n";
+/// Titles of the columns that give way, the first first.
+constexpr std::array<std::string_view, 5> dispensable = {"depth p99", "ns/pixel", "prep ms", "uv p50", "taps"};
 
-/// One layout for all groups, so that columns can be compared from view to view.
-class Layout {
+constexpr std::string_view bold = "\033[1m";
+constexpr std::string_view cyan = "\033[36m";
+constexpr std::string_view yellow = "\033[33m";
+constexpr std::string_view plain = "\033[0m";
+
+constexpr const char* legend =
+    "* nothing in the view is both faster and better (UV p99)\n"
+    "! missed + false hits above 0.5 %: its errors do not count\n"
+    "ms: median ± MAD of the draw; prep: making its maps; uv: texels; depth: patch sides; flip: 0 to 1;\n"
+    "missed, false: % of the footprint; motion: change of the UV error between frames, texels\n";
+constexpr const char* colour_legend = "in each view and column: {}best third{}, {}worst third{}\n";
+
+/// Colours by rank among the rows of a view, "" for the middle. Errors of rows marked '!' do not count.
+class Ranks {
 public:
-    explicit Layout(const std::vector<QualityCostView>& groups) {
-        std::size_t longest_name = 0;
-        for (const std::string& title : quality_cost_titles()) {
-            widths_.push_back(text_width(title));
-        }
-        for (const QualityCostView& group : groups) {
-            for (const QualityCostRow& row : group.rows) {
-                longest_name = std::max(longest_name, text_width(split_cell_id(row.cell->cell).first));
-                for (std::size_t column = 0; column < widths_.size(); ++column) {
-                    widths_[column] = std::max(widths_[column], text_width(row.columns[column]));
-                }
+    Ranks(const QualityCostView& view, const std::vector<QualityCostColumn>& columns) : columns_(columns) {
+        values_.resize(columns.size());
+        for (const QualityCostRow& row : view.rows) {
+            for (std::size_t column = 0; column < columns.size(); ++column) {
+                if (counts(row, column)) values_[column].push_back(*row.figures[column].value);
             }
         }
-        std::size_t taken = mark_columns;
-        for (const std::size_t width : widths_) {
-            taken += space_between + width;
-        }
-        name_width_ = std::min(longest_name, terminal_columns - std::min(terminal_columns, taken));
     }
 
-    std::string titles_line() const { return line(' ', "", quality_cost_titles()); }
-
-    std::string row_lines(const QualityCostRow& row) const {
-        const std::vector<std::string> name = wrap(split_cell_id(row.cell->cell).first, name_width_);
-        std::string lines = line(row.mark, name.front(), row.columns);
-        for (std::size_t rest = 1; rest < name.size(); ++rest) {
-            lines += std::string(mark_columns, ' ') + name[rest] + '\n';
-        }
-        return lines;
+    std::string_view colour(const QualityCostRow& row, std::size_t column) const {
+        if (!counts(row, column)) return "";
+        const double value = *row.figures[column].value;
+        const std::vector<double>& all = values_[column];
+        const auto better = std::count_if(all.begin(), all.end(), [value](double other) { return other < value; });
+        const auto worse = std::count_if(all.begin(), all.end(), [value](double other) { return other > value; });
+        if (2 * better < worse) return cyan;
+        if (2 * worse < better) return yellow;
+        return "";
     }
 
 private:
-    std::string line(char mark, const std::string& name, const std::vector<std::string>& columns) const {
-        std::string text = fmt::format("{} {}", mark, pad_right(name, name_width_));
+    bool counts(const QualityCostRow& row, std::size_t column) const {
+        return row.figures[column].value && !(columns_[column].is_error && row.mark == '!');
+    }
+
+    const std::vector<QualityCostColumn>& columns_;
+    std::vector<std::vector<double>> values_;
+};
+
+/// One layout for all views, so that columns can be compared from view to view.
+class Layout {
+public:
+    Layout(const QualityCostTable& table, const TableStyle& style) : table_(table), style_(style) {
+        std::size_t longest_name = 0;
+        for (const QualityCostColumn& column : table.columns) {
+            widths_.push_back(text_width(column.title));
+            shown_.push_back(true);
+        }
+        for (const QualityCostView& view : table.views) {
+            for (const QualityCostRow& row : view.rows) {
+                longest_name = std::max(longest_name, text_width(split_cell_id(row.cell->cell).first));
+                for (std::size_t column = 0; column < widths_.size(); ++column) {
+                    widths_[column] = std::max(widths_[column], text_width(row.figures[column].text));
+                }
+            }
+        }
+        for (const std::string_view title : dispensable) {
+            if (taken() + std::min(longest_name, wanted_name_columns) <= style.columns) break;
+            for (std::size_t column = 0; column < shown_.size(); ++column) {
+                if (table.columns[column].title == title) shown_[column] = false;
+            }
+        }
+        name_width_ = std::min(longest_name, style.columns - std::min(style.columns, taken()));
+    }
+
+    std::string titles_line() const {
+        std::string text(mark_columns + name_width_, ' ');
         for (std::size_t column = 0; column < widths_.size(); ++column) {
-            text += std::string(space_between, ' ') + pad_left(columns[column], widths_[column]);
+            if (!shown_[column]) continue;
+            text += std::string(space_between, ' ') + pad_left(table_.columns[column].title, widths_[column]);
         }
         return text + '\n';
     }
 
+    std::string row_lines(const QualityCostRow& row, const Ranks& ranks) const {
+        const std::vector<std::string> name = wrap(split_cell_id(row.cell->cell).first, name_width_);
+        std::string text = coloured(std::string(1, row.mark), row.mark == ' ' ? "" : bold) + ' ' +
+                           pad_right(name.front(), name_width_);
+        for (std::size_t column = 0; column < widths_.size(); ++column) {
+            if (!shown_[column]) continue;
+            text += std::string(space_between, ' ') +
+                    coloured(pad_left(row.figures[column].text, widths_[column]), ranks.colour(row, column));
+        }
+        text += '\n';
+        for (std::size_t rest = 1; rest < name.size(); ++rest) {
+            text += std::string(mark_columns, ' ') + name[rest] + '\n';
+        }
+        return text;
+    }
+
+private:
+    /// Columns of everything but the name.
+    std::size_t taken() const {
+        std::size_t columns = mark_columns;
+        for (std::size_t column = 0; column < widths_.size(); ++column) {
+            if (shown_[column]) columns += space_between + widths_[column];
+        }
+        return columns;
+    }
+
+    std::string coloured(const std::string& text, std::string_view colour) const {
+        if (!style_.colour || colour.empty()) return text;
+        return fmt::format("{}{}{}", colour, text, plain);
+    }
+
+    const QualityCostTable& table_;
+    const TableStyle& style_;
     std::vector<std::size_t> widths_;
+    std::vector<bool> shown_;
     std::size_t name_width_ = 0;
 };
 
 /// Cells of one status, equal reasons together.
-std::string format_reasons(const std::vector<CellResult>& cells, CellStatus status, std::string_view word) {
+std::string format_reasons(const std::vector<CellResult>& cells, CellStatus status, std::string_view word,
+                           std::size_t columns) {
     std::string text;
     for (const auto& [reason, ids] : group_by_reason(cells, status)) {
-        text += indented(fmt::format("{}, {}: {}", word, counted(ids.size(), "cell"), reason), 0, terminal_columns);
+        text += indented(fmt::format("{}, {}: {}", word, counted(ids.size(), "cell"), reason), 0, columns);
         for (std::size_t cell = 0; cell < std::min(ids.size(), cells_named); ++cell) {
-            text += indented(ids[cell], 4, terminal_columns);
+            text += indented(ids[cell], 4, columns);
         }
         if (ids.size() > cells_named)
-            text += indented(fmt::format("and {} more", ids.size() - cells_named), 4, terminal_columns);
+            text += indented(fmt::format("and {} more", ids.size() - cells_named), 4, columns);
     }
     return text;
 }
 
 }  // namespace
 
-std::string format_table(const std::vector<CellResult>& cells) {
-    const std::vector<QualityCostView> groups = quality_cost_views(cells);
-    const Layout layout(groups);
+std::string format_table(const std::vector<CellResult>& cells, const TableStyle& style) {
+    const QualityCostTable table = quality_cost_table(cells);
+    const Layout layout(table, style);
     std::string text;
-    for (const QualityCostView& group : groups) {
-        text += indented(group.view, 0, terminal_columns) + layout.titles_line();
-        for (const QualityCostRow& row : group.rows) {
-            text += layout.row_lines(row);
+    for (const QualityCostView& view : table.views) {
+        const Ranks ranks(view, table.columns);
+        text += indented(view.view, 0, style.columns) + layout.titles_line();
+        for (const QualityCostRow& row : view.rows) {
+            text += layout.row_lines(row, ranks);
         }
         text += '\n';
     }
-    if (!groups.empty()) text += legend;
-    const std::string reasons =
-        format_reasons(cells, CellStatus::failed, "failed") + format_reasons(cells, CellStatus::skipped, "skipped");
+    if (!table.views.empty()) {
+        text += legend;
+        if (style.colour) text += fmt::format(colour_legend, cyan, plain, yellow, plain);
+    }
+    const std::string reasons = format_reasons(cells, CellStatus::failed, "failed", style.columns) +
+                                format_reasons(cells, CellStatus::skipped, "skipped", style.columns);
     if (!text.empty() && !reasons.empty()) text += '\n';
     return text + reasons;
 }

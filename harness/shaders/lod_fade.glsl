@@ -18,14 +18,12 @@ float lod_fade_at(ReliefRay ray, float distance) {
 
 // The technique's answer, drawn towards the polygon along the ray. Where nothing is left of the relief it is not
 // searched for.
-Trace trace_with_lod(ReliefRay ray, float distance) {
-    float fade = lod_fade_at(ray, distance);
+Trace trace_faded(ReliefRay ray, float fade) {
     if (fade >= 1.0) return hit_on_ray(0.0, 0);
     Trace found = trace(ray);
     found.s *= 1.0 - fade;
     found.uv = mix(found.uv, ray.uv, fade);
     found.h = mix(found.h, 1.0, fade);
-    found.light_visibility = mix(found.light_visibility, 1.0, fade);
     return found;
 }
 

@@ -22,7 +22,8 @@ void main() {
     vec2 uv_dy = dFdy(uv);
     ReliefRay ray = ReliefRay(uv, scene.tiling * max_offset, -view.direction, scene.tiling * scene.height_scale, uv_dx,
                               uv_dy, footprint_level(uv_dx, uv_dy));
-    Trace found = trace_with_lod(ray, view.entry_t);
+    float fade = lod_fade_at(ray, view.entry_t);
+    Trace found = trace_faded(ray, fade);
     count_pixel(scene.resolution, gl_FragCoord.xy, found.steps, found.converged);
     if (found.kind == trace_miss) discard;
 
@@ -45,7 +46,8 @@ void main() {
 #endif
     gl_FragDepth = depth;
 #endif
-    // The polygon has no shadows.
-    vec3 visibility = found.flat_normal ? vec3(1.0) : light_visibility(hit.xy);
+    // The polygon has no shadows; those of the relief fade with it.
+    vec3 visibility = vec3(1.0);
+    if (!found.flat_normal && fade < 1.0) visibility = mix(light_visibility(hit.xy, ray), visibility, fade);
     write_surface(hit, view.direction, found.flat_normal, visibility);
 }

@@ -103,27 +103,30 @@ float tatarchuk_visibility(ReliefRay ray, vec2 uv, float h) {
     return clamp(mix(tatarchuk_least, 1.0, 1.0 - shadow), 0.0, 1.0);
 }
 
-// Of the light from `to_light` at the surface over texture coordinates `uv`, whose height is `h`.
-float visibility_of_light(vec3 to_light, vec2 uv, float h) {
+// Of the light from `to_light` at the surface over texture coordinates `uv`, whose height is `h`. The light's ray has the
+// footprint of `view_ray`.
+float visibility_of_light(vec3 to_light, vec2 uv, float h, ReliefRay view_ray) {
     // The ground that the relief is sunk into is opaque.
     if (to_light.z <= 0.0) return 0.0;
     float height = scene.tiling * scene.height_scale;
     vec2 max_offset = -height * to_light.xy / to_light.z;
     float s_point = 1.0 - h;
-    ReliefRay ray = ReliefRay(uv - s_point * max_offset, max_offset, to_light, height);
+    ReliefRay ray = ReliefRay(uv - s_point * max_offset, max_offset, to_light, height, view_ray.uv_dx, view_ray.uv_dy,
+                              view_ray.level);
     if (self_shadow == self_shadow_hard) return hard_visibility(ray, s_point);
     if (self_shadow == self_shadow_dykhta) return dykhta_visibility(ray, uv, s_point);
     return tatarchuk_visibility(ray, uv, h);
 }
 
 // By light, at the surface over patch coordinates: where a technique's answer lies beside the surface, its shadow is
-// that of the surface there, as its colour and normal are.
-vec3 light_visibility(vec2 patch_uv) {
+// that of the surface there, as its colour and normal are. The light's rays have the footprint of `view_ray`.
+vec3 light_visibility(vec2 patch_uv, ReliefRay view_ray) {
     vec3 visibility = vec3(1.0);
     if (self_shadow == self_shadow_off || !lighting_enabled) return visibility;
     vec2 uv = scene.tiling * patch_uv;
     float h = tap_height(uv);
-    for (int i = 0; i < scene.light_count; ++i) visibility[i] = visibility_of_light(scene.light_direction[i].xyz, uv, h);
+    for (int i = 0; i < scene.light_count; ++i)
+        visibility[i] = visibility_of_light(scene.light_direction[i].xyz, uv, h, view_ray);
     return visibility;
 }
 

@@ -38,7 +38,8 @@ fs::path data_folder() {
     if (const char* folder = std::getenv("RELIEFBENCH_DATA_DIR")) return folder;
     std::error_code ignored;
     const fs::path binary_folder = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-    for (const fs::path& folder : {binary_folder, binary_folder.parent_path()}) {
+    const fs::path above = binary_folder.parent_path();
+    for (const fs::path& folder : {binary_folder, above, above / "share" / "reliefbench"}) {
         if (!folder.empty() && fs::is_directory(shaders_in(folder), ignored)) return folder;
     }
     return RELIEFBENCH_SOURCE_DIR;

@@ -9,7 +9,8 @@
 namespace reliefbench {
 
 /// techniques/, harness/shaders/ and configs/ of RELIEFBENCH_DATA_DIR; where that is not set, of this binary's folder
-/// or the one above (an unpacked archive); else of the sources that built it.
+/// or the one above (an unpacked archive), or of share/reliefbench beside bin/ (an installation); else of the sources
+/// that built it.
 std::filesystem::path default_technique_root();
 std::filesystem::path shader_root();
 std::filesystem::path configuration_root();

@@ -257,21 +257,5 @@ TEST_F(EndToEnd, VerifyFailsABrokenTechniqueWithCode4) {
     EXPECT_THAT(bad.out, AllOf(HasSubstr("FAIL"), HasSubstr("trace.glsl")));
 }
 
-TEST_F(EndToEnd, HelpOfEverySubcommandShowsAnExample) {
-    for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{{"list"},
-                                                                                         {"list", "techniques"},
-                                                                                         {"list", "devices"},
-                                                                                         {"list", "heightmaps"},
-                                                                                         {"run"},
-                                                                                         {"render"},
-                                                                                         {"verify"}}) {
-        std::vector<std::string> arguments = command;
-        arguments.push_back("--help");
-        const Outcome outcome = reliefbench(arguments);
-        EXPECT_EQ(outcome.code, 0);
-        EXPECT_THAT(outcome.out, HasSubstr("Example: reliefbench " + command.front()));
-    }
-}
-
 }  // namespace
 }  // namespace reliefbench

@@ -32,10 +32,10 @@ TEST(Progress, ALineTellsCellsShareAndTimeLeft) {
     progress.cells_done = 12;
     progress.cells_total = 160;
     progress.current = "some cell";
-    EXPECT_EQ(format_progress(progress), "[ 12/160]: some cell");
+    EXPECT_EQ(format_progress(progress), "[ 12/160] 0:00 elapsed: some cell");
     progress.elapsed_s = 10;
     progress.remaining_s = 30;
-    EXPECT_EQ(format_progress(progress), "[ 12/160]  25 %, 0:30 left: some cell");
+    EXPECT_EQ(format_progress(progress), "[ 12/160]  25 %, 0:10 elapsed, 0:30 left: some cell");
 }
 
 }  // namespace

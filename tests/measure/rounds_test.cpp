@@ -95,6 +95,8 @@ struct Fixture {
     /// By call.
     std::vector<bool> throttled;
     std::size_t throttle_calls = 0;
+    /// So many visits.
+    std::optional<std::size_t> interrupted_after;
 
     std::vector<SampledSubject> sample(const StoppingRule& rule, std::uint64_t seed, int samples_per_visit = 2,
                                        std::size_t in_flight = 1) {
@@ -109,6 +111,7 @@ struct Fixture {
             const std::size_t call = throttle_calls++;
             return call < throttled.size() && throttled[call];
         };
+        if (interrupted_after) callbacks.is_interrupted = [this] { return visits.size() >= *interrupted_after; };
         return sample_in_rounds(subjects, rule, {samples_per_visit, seed, in_flight}, callbacks);
     }
 };
@@ -341,6 +344,32 @@ TEST(Rounds, TheDeviceTimeOfASampleCountsItsRepeats) {
     const auto sampled = sample_in_rounds({&subject}, *make_time_rule(1.5), {}, callbacks);
     EXPECT_EQ(visits, 3U);
     EXPECT_EQ(sampled[0].stop, StopReason::time);
+}
+
+TEST(Rounds, AnInterruptionFinishesWhatTheDeviceHasAndKeepsIt) {
+    for (const std::size_t in_flight : {1U, 2U}) {
+        Fixture fixture;
+        fixture.interrupted_after = 4;
+        const auto sampled = fixture.sample(*make_fixed_rule(3), 7, 2, in_flight);
+        EXPECT_EQ(fixture.visits.size(), 3 + in_flight);
+        EXPECT_THAT(fixture.rounds_told, ElementsAre(0)) << "the second round was not whole";
+        std::size_t rounds = 0;
+        for (const SampledSubject& subject : sampled) {
+            EXPECT_FALSE(subject.stop);
+            rounds += subject.samples.at("draw").size();
+        }
+        EXPECT_EQ(rounds, fixture.visits.size());
+        EXPECT_TRUE(fixture.failures.empty());
+    }
+}
+
+TEST(Rounds, WhatWasDoneBeforeAnInterruptionIsDone) {
+    Fixture fixture;
+    fixture.interrupted_after = 4;
+    const auto sampled = fixture.sample(UnevenRule(250), 7);
+    EXPECT_EQ(sampled[0].stop, StopReason::precise);
+    EXPECT_FALSE(sampled[1].stop);
+    EXPECT_FALSE(sampled[2].stop);
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ CellResult measured(const std::string& id, const Figures& figures) {
     errors.missed = figures.missed;
     errors.false_hits = figures.false_hits;
     cell.error = errors;
+    cell.image = CellResult::ImageFields{0.125, 30, 0.9, 0.03};
     return cell;
 }
 
@@ -69,12 +70,45 @@ TEST(Table, ShowsTheFiguresOfACell) {
         format_table({measured("pom max_steps=16 | heightmap=bricks view_angle=60", {1.2345, 0.75, 0.00125, 0.0005})}));
     ASSERT_GE(lines.size(), 3U);
     EXPECT_EQ(lines[0], "heightmap=bricks view_angle=60");
-    EXPECT_EQ(
-        lines[1],
-        "                               ms  ns/pixel  taps  prep ms  uv p50  uv p99  depth p99  missed %  false %");
-    EXPECT_EQ(
-        lines[2],
-        "* pom max_steps=16  1.234 ± 0.012      15.2  17.5        0   0.250   0.750     0.0123     0.125   0.0500");
+    EXPECT_EQ(lines[1], "                               ms  taps  prep ms  uv p50  uv p99   flip  missed %  false %");
+    EXPECT_EQ(lines[2], "* pom max_steps=16  1.234 ± 0.012  17.5        0   0.250   0.750  0.125     0.125   0.0500");
+}
+
+TEST(Table, ShowsMoreWhereThereIsRoomAndLessWhereThereIsNot) {
+    CellResult cell = measured("pom max_steps=16 | v", {1.2345, 0.75, 0.00125, 0.0005});
+    cell.motion = CellResult::Motion{CellResult::MotionFigure{0.0625, 1, 2}, {}, 10, 0, 0};
+    EXPECT_EQ(lines_of(format_table({cell}, {.columns = 140}))[1],
+              "                               ms  ns/pixel  taps  prep ms  uv p50  uv p99  depth p99   flip  missed %"
+              "  false %  motion");
+    EXPECT_EQ(lines_of(format_table({cell}, {.columns = 80}))[2],
+              "* pom max_steps=16  1.234 ± 0.012   0.750  0.125     0.125   0.0500  0.0625");
+}
+
+TEST(Table, ColoursTellRanksWithoutMovingAnything) {
+    const std::vector<CellResult> cells = {measured("slow | v", {9.5, 0.1}), measured("fast | v", {1.5, 4}),
+                                           measured("middle | v", {3.5, 1}),
+                                           measured("cheater | v", {3.75, 0.01, 0.2})};
+    const std::string coloured = format_table(cells, {.colour = true});
+    EXPECT_THAT(coloured, HasSubstr("\033[36m1.500 ± 0.012\033[0m"));
+    EXPECT_THAT(coloured, HasSubstr("\033[33m9.500 ± 0.012\033[0m"));
+    EXPECT_THAT(coloured, Not(HasSubstr("m3.500 ± 0.012")));
+    EXPECT_THAT(coloured, HasSubstr("\033[36m 0.100\033[0m"));
+    EXPECT_THAT(coloured, HasSubstr("\033[33m  4.00\033[0m"));
+    EXPECT_THAT(coloured, Not(HasSubstr("m0.0100"))) << "the errors of a cell marked ! do not count";
+    EXPECT_THAT(coloured, HasSubstr("\033[1m*\033[0m fast"));
+    std::string stripped;
+    bool in_escape = false;
+    for (const char character : coloured.substr(0, coloured.find("in each view and column"))) {
+        if (character == '\033') in_escape = true;
+        if (!in_escape) stripped += character;
+        if (in_escape && character == 'm') in_escape = false;
+    }
+    EXPECT_EQ(stripped, format_table(cells));
+}
+
+TEST(Table, EqualsHaveNoRank) {
+    EXPECT_THAT(format_table({measured("a | v", {}), measured("b | v", {})}, {.colour = true}),
+                Not(HasSubstr("m1.000 ± 0.012")));
 }
 
 TEST(Table, RowsAreSortedByTimeAndTheParetoFrontIsMarked) {
@@ -121,12 +155,14 @@ TEST(Table, WhatIsUndefinedIsADash) {
     cell.work.reset();
     cell.ns_per_pixel.reset();
     cell.prepare_ms.reset();
-    const auto lines = lines_of(format_table({cell}));
-    EXPECT_EQ(lines[2], "  a  1.000 ± 0.012         -     -        -       -       -          -         0        0");
+    cell.image.reset();
+    const auto lines = lines_of(format_table({cell}, {.columns = 140}));
+    EXPECT_EQ(lines[2],
+              "  a  1.000 ± 0.012         -     -        -       -       -          -     -         0        0");
     cell.error.reset();
     cell.time.clear();
-    EXPECT_EQ(lines_of(format_table({cell}))[2],
-              "  a   -         -     -        -       -       -          -         -        -");
+    EXPECT_EQ(lines_of(format_table({cell}, {.columns = 140}))[2],
+              "  a   -         -     -        -       -       -          -     -         -        -");
 }
 
 TEST(Table, FailedAndSkippedCellsFollowWithEqualReasonsTogether) {
@@ -154,10 +190,10 @@ TEST(Table, FailedAndSkippedCellsFollowWithEqualReasonsTogether) {
 
 TEST(Table, NothingMeasuredIsNoEmptyTable) {
     EXPECT_EQ(format_table({}), "");
-    EXPECT_THAT(format_table({unmeasured("a | v", CellStatus::failed, "why")}), Not(HasSubstr("ns/pixel")));
+    EXPECT_THAT(format_table({unmeasured("a | v", CellStatus::failed, "why")}), Not(HasSubstr("taps")));
 }
 
-TEST(Table, FitsATerminalOf140ColumnsHoweverLongTheNames) {
+TEST(Table, FitsATerminalOf100ColumnsHoweverLongTheNames) {
     std::string id = "technique";
     for (int parameter = 0; parameter < 12; ++parameter) {
         id += " a_long_parameter_name_" + std::to_string(parameter) + "=0.123456789";
@@ -166,7 +202,7 @@ TEST(Table, FitsATerminalOf140ColumnsHoweverLongTheNames) {
     const std::string table = format_table({measured(id + view, {12345.6789, 123456}), measured("pom" + view, {}),
                                             unmeasured(id + view, CellStatus::failed, id + id)});
     for (const std::string& line : lines_of(table)) {
-        EXPECT_LE(text_width(line), 140U) << line;
+        EXPECT_LE(text_width(line), 100U) << line;
     }
     for (int parameter = 0; parameter < 12; ++parameter) {
         EXPECT_THAT(table, HasSubstr("a_long_parameter_name_" + std::to_string(parameter) + "=0.123456789"));

@@ -1,0 +1,161 @@
+// What a run shows while it goes on and when it ends, and how it is interrupted.
+
+#include "command_line.hpp"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <optional>
+#include <thread>
+
+namespace reliefbench {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+std::vector<char*> argument_pointers(std::vector<std::string>& words) {
+    std::vector<char*> pointers;
+    for (std::string& word : words)
+        pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
+class Terminal : public CommandLine {
+protected:
+    std::string tiny() const { return write_configuration("tiny.json", tiny_configuration()); }
+
+    /// Several blocks, in which much is left to do when the first sample is there.
+    std::string long_configuration() const {
+        Json json = tiny_configuration();
+        json["techniques"] = {"steep", "pom"};
+        json["axes"]["sample_count"] = {4, 8, 16, 32};
+        json["axes"]["view_angle"] = {0, 15, 30, 45, 60};
+        json["sampling"]["rounds"] = 20;
+        return write_configuration("long.json", json);
+    }
+
+    /// Starts the command with its output in the files `out` and `err` of this test's folder.
+    pid_t start(std::vector<std::string> words) const {
+        words.insert(words.begin(), RELIEFBENCH_BINARY);
+        const pid_t process = fork();
+        if (process == 0) {
+            constexpr int mode = 0600;
+            dup2(open(path("out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, mode), STDOUT_FILENO);
+            dup2(open(path("err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, mode), STDERR_FILENO);
+            execv(RELIEFBENCH_BINARY, argument_pointers(words).data());
+            _exit(127);
+        }
+        return process;
+    }
+
+    /// Waits for the run's first samples.
+    void await_samples(const std::string& run) const {
+        for (int tries = 0; tries < 600 && read_file(path(run + "/samples.jsonl")).empty(); ++tries)
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        ASSERT_FALSE(read_file(path(run + "/samples.jsonl")).empty());
+    }
+
+    /// What the command writes to a terminal of 100 columns.
+    static std::string on_terminal(std::vector<std::string> words, bool no_color) {
+        words.insert(words.begin(), RELIEFBENCH_BINARY);
+        winsize size{.ws_row = 40, .ws_col = 100, .ws_xpixel = 0, .ws_ypixel = 0};
+        int terminal = -1;
+        const pid_t process = forkpty(&terminal, nullptr, nullptr, &size);
+        if (process == 0) {
+            setenv("TERM", "xterm", 1);
+            if (no_color) {
+                setenv("NO_COLOR", "1", 1);
+            } else {
+                unsetenv("NO_COLOR");
+            }
+            execv(RELIEFBENCH_BINARY, argument_pointers(words).data());
+            _exit(127);
+        }
+        std::string text;
+        char buffer[4096];
+        for (ssize_t count = 0; (count = read(terminal, buffer, sizeof(buffer))) > 0;)
+            text.append(buffer, static_cast<std::size_t>(count));
+        waitpid(process, nullptr, 0);
+        close(terminal);
+        return text;
+    }
+};
+
+constexpr const char* bold_mark = "\033[1m*\033[0m";
+
+TEST_F(Terminal, TheTableHasColoursWhereItIsSeenAndWanted) {
+    const std::string seen = on_terminal({"run", tiny(), "-o", path("seen")}, false);
+    EXPECT_THAT(seen, AllOf(HasSubstr(bold_mark), HasSubstr("elapsed"), HasSubstr("[1/1]")));
+    EXPECT_THAT(on_terminal({"run", tiny(), "-o", path("plain")}, true), Not(HasSubstr(bold_mark)));
+    EXPECT_THAT(reliefbench({"run", tiny(), "-o", path("pipe")}).out, Not(HasSubstr("\033")));
+    EXPECT_THAT(reliefbench({"run", tiny(), "-o", path("always"), "--color=always"}).out, HasSubstr(bold_mark));
+    const Outcome unknown = reliefbench({"run", tiny(), "-o", path("unknown"), "--color", "pink"});
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_THAT(unknown.err, AllOf(HasSubstr("--color"), HasSubstr("pink")));
+}
+
+TEST_F(Terminal, ScriptsGetTheirFormatAndNothingElseOnStandardOutput) {
+    const Outcome json = reliefbench({"run", tiny(), "-o", path("json"), "--format", "json"});
+    ASSERT_EQ(json.code, 0) << json.err;
+    EXPECT_EQ(Json::parse(json.out), Json(read_lines(path("json/cells.jsonl"))));
+    EXPECT_THAT(json.err, HasSubstr("in all"));
+    const Outcome csv = reliefbench({"run", tiny(), "-o", path("csv"), "--format", "csv"});
+    EXPECT_EQ(csv.out, reliefbench({"export", path("csv"), "--format", "csv"}).out);
+    expect_refused({tiny(), "--format", "cvs"}, {"--format", "'csv'"});
+}
+
+TEST_F(Terminal, AnInterruptedRunKeepsWhatIsDoneAndSaysHowToGoOn) {
+    const std::string configuration = long_configuration();
+    const pid_t process = start({"run", configuration, "-o", path("run")});
+    await_samples("run");
+    kill(process, SIGINT);
+    int status = 0;
+    waitpid(process, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status)) << read_file(path("err"));
+    EXPECT_EQ(WTERMSIG(status), SIGINT);
+    const std::string resume = "reliefbench run " + path("run/run.json") + " -o " + path("run") + " --resume\n";
+    EXPECT_THAT(read_file(path("err")), AllOf(HasSubstr("finishing the visit"), HasSubstr(resume)));
+    EXPECT_FALSE(std::filesystem::exists(path("run/summary.json")));
+    const std::size_t finished = read_lines(path("run/cells.jsonl")).size();
+    EXPECT_LT(finished, 40U);
+    const std::string samples = read_file(path("run/samples.jsonl"));
+    EXPECT_EQ(samples.back(), '\n');
+
+    const Outcome whole = reliefbench({"run", path("run/run.json"), "-o", path("run"), "--resume"});
+    ASSERT_EQ(whole.code, 0) << whole.err;
+    EXPECT_EQ(read_lines(path("run/cells.jsonl")).size(), 40U);
+    EXPECT_THAT(read_file(path("run/samples.jsonl")), testing::StartsWith(samples));
+}
+
+TEST_F(Terminal, ASecondInterruptEndsAtOnceAndAnIgnoredOneStaysIgnored) {
+    const std::string configuration = long_configuration();
+    const pid_t process = start({"run", configuration, "-o", path("run")});
+    await_samples("run");
+    kill(process, SIGTERM);
+    kill(process, SIGTERM);
+    int status = 0;
+    waitpid(process, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(WTERMSIG(status), SIGTERM);
+
+    // As nohup does for SIGHUP, and shells for the SIGINT of commands in the background.
+    const auto before = std::signal(SIGINT, SIG_IGN);
+    const pid_t background = start({"run", tiny(), "-o", path("background")});
+    std::signal(SIGINT, before);
+    await_samples("background");
+    kill(background, SIGINT);
+    waitpid(background, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+}
+
+}  // namespace
+}  // namespace reliefbench
