@@ -82,7 +82,7 @@ std::vector<std::string> figures_of(const DrawnCell& drawn) {
                                      : "UV error undefined");
     lines.push_back(fmt::format("missed {:.3g} %, false hits {:.3g} %", 100 * errors.missed, 100 * errors.false_hits));
     if (image.flip) lines.push_back(fmt::format("FLIP {:.3f}", *image.flip));
-    if (work) lines.push_back(fmt::format("{:.4g} taps (p95 {:.4g})", work->taps_mean, work->taps_p95));
+    if (work) lines.push_back(fmt::format("taps {:.4g} (p95 {:.4g})", work->taps_mean, work->taps_p95));
     return lines;
 }
 

@@ -70,6 +70,14 @@ Layout lay_out(const Sheet& sheet, const Font& font) {
     return layout;
 }
 
+/// The largest of the sizes at which the title fits.
+int title_size(const std::string& title, int width, const Font& font) {
+    for (const int size : {style::title_text, style::text}) {
+        if (font.width(title, size) <= width) return size;
+    }
+    return style::small_text;
+}
+
 void draw_label(Picture& picture, int left, int top, const Sheet::Row& row, const Font& font) {
     font.draw(picture, left, top, font.shortened(row.title, style::text, widest_label), style::text, style::ink);
     top += font.line_height(style::text);
@@ -87,9 +95,9 @@ Picture draw_sheet(const Sheet& sheet, const Font& font) {
     Picture picture(layout.size(), style::paper);
     int top = style::margin;
     if (!sheet.title.empty()) {
-        const std::string title =
-            font.shortened(sheet.title, style::title_text, picture.size.width - 2 * style::margin);
-        font.draw(picture, style::margin, top, title, style::title_text, style::ink);
+        const int width = picture.size.width - 2 * style::margin;
+        const int size = title_size(sheet.title, width, font);
+        font.draw(picture, style::margin, top, font.shortened(sheet.title, size, width), size, style::ink);
     }
     top += layout.header_height;
     std::vector<int> lefts;
