@@ -94,6 +94,7 @@ private:
     void visit_all(const std::vector<std::size_t>& order, int round) {
         for (std::size_t position = 0; position < order.size() && !interrupted(); ++position) {
             if (submitted_.size() == sampling_.in_flight) collect();
+            if (interrupted()) break;
             const std::size_t subject = order[position];
             if (attempt(subject, [&] { states_[subject].subject->submit(sampling_.samples_per_visit); })) {
                 submitted_.push_back({subject, round, static_cast<int>(position)});

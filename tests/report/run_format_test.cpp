@@ -10,7 +10,7 @@ namespace reliefbench {
 namespace {
 
 TEST(RunFormat, JsonIsTheCellsAsTheFileHasThem) {
-    const Run run = sample_run();
+    const reliefbench::Run run = sample_run();  // testing::Test has a Run of its own
     const Json cells = Json::parse(format_run(run, RunFormat::json, {}));
     ASSERT_EQ(cells.size(), run.cells.size());
     for (std::size_t cell = 0; cell < run.cells.size(); ++cell) {
@@ -20,7 +20,7 @@ TEST(RunFormat, JsonIsTheCellsAsTheFileHasThem) {
 }
 
 TEST(RunFormat, EachHasItsOwnText) {
-    const Run run = sample_run();
+    const reliefbench::Run run = sample_run();  // testing::Test has a Run of its own
     EXPECT_THAT(format_run(run, parse_run_format("table"), {}), testing::StartsWith("heightmap=bricks\n"));
     EXPECT_THAT(format_run(run, parse_run_format("markdown"), {}), testing::StartsWith("### heightmap=bricks\n"));
     EXPECT_THAT(format_run(run, parse_run_format("csv"), {}), testing::StartsWith("cell,technique,"));

@@ -70,8 +70,10 @@ TEST(Table, ShowsTheFiguresOfACell) {
         format_table({measured("pom max_steps=16 | heightmap=bricks view_angle=60", {1.2345, 0.75, 0.00125, 0.0005})}));
     ASSERT_GE(lines.size(), 3U);
     EXPECT_EQ(lines[0], "heightmap=bricks view_angle=60");
-    EXPECT_EQ(lines[1], "                               ms  taps  prep ms  uv p50  uv p99   flip  missed %  false %");
-    EXPECT_EQ(lines[2], "* pom max_steps=16  1.234 ± 0.012  17.5        0   0.250   0.750  0.125     0.125   0.0500");
+    EXPECT_EQ(lines[1],
+              "                               ms  ns/pixel  taps  prep ms  uv p50  uv p99   flip  missed %  false %");
+    EXPECT_EQ(lines[2],
+              "* pom max_steps=16  1.234 ± 0.012      15.2  17.5        0   0.250   0.750  0.125     0.125   0.0500");
 }
 
 TEST(Table, ShowsMoreWhereThereIsRoomAndLessWhereThereIsNot) {
