@@ -137,9 +137,9 @@ def quantity(cells, name, short_names, option):
 
 
 def varying(cells, prefix, besides=()):
-    """Columns with the prefix that tell the cells apart."""
-    return [name for name in cells.columns
-            if name.startswith(prefix) and name not in besides and cells[name].nunique(dropna=False) > 1]
+    """Columns with the prefix that have several values; that some cells have none (the distance of parallel rays) follows from
+    another column."""
+    return [name for name in cells.columns if name.startswith(prefix) and name not in besides and cells[name].nunique() > 1]
 
 
 def short(column):
@@ -171,13 +171,15 @@ def panels_of(cells, besides=()):
     return panels
 
 
-def series_of(cells, by_numbers):
-    """Label → cells: a technique, and what of its parameters tells its cells apart; numbers only where asked for, else
-    they vary along the line."""
+def series_of(cells, each_setting):
+    """Label → cells. With `each_setting` one line for each technique and parameters, as cells' ids write them (defaults left
+    out); else one for each technique and choice (a parameter that is no number), along which numbers vary."""
+    if each_setting:
+        settings = cells["cell"].str.split(" | ", regex=False).str[0]
+        return {label: part for label, part in cells.groupby(settings, sort=True)}
     series = {}
     for technique, group in cells.groupby("technique", sort=True):
-        names = [name for name in varying(group, "params.")
-                 if by_numbers or not pandas.api.types.is_numeric_dtype(group[name].dropna())]
+        names = [name for name in varying(group, "params.") if not pandas.api.types.is_numeric_dtype(group[name].dropna())]
         for key, part in grouped(group, names):
             settings = [f"{short(name)}={text_of(value)}" for name, value in zip(names, key)]
             series[" ".join([technique] + settings)] = part
@@ -221,7 +223,7 @@ def positive(cells, columns, notes):
     for column in columns:
         kept = cells[cells[column] > 0]
         if len(kept) < len(cells):
-            notes.append(f"{len(cells) - len(kept)} cells have no {column} above 0, and a logarithmic axis has no place for them")
+            notes.append(f"left out for {column} = 0, which a logarithmic axis lacks: {len(cells) - len(kept)} of {len(cells)} cells")
         cells = kept
     if cells.empty:
         raise PlotError(f"no cell is left with numbers above 0 in {' and '.join(columns)}")
@@ -241,10 +243,10 @@ def make_logarithmic(axis, set_scale, values):
         axis.set_minor_formatter(matplotlib.ticker.NullFormatter())
 
 
-def make_figure(cells, x, y, title, log_x, log_y, by_numbers=False, besides=(), front=False):
+def make_figure(cells, x, y, title, log_x, log_y, each_setting=False, besides=(), front=False):
     (x_column, x_label), (y_column, y_label) = x, y
     panels = panels_of(cells, besides)
-    labels = sorted({label for _, group in panels for label in series_of(group, by_numbers)})
+    labels = sorted({label for _, group in panels for label in series_of(group, each_setting)})
     if len(labels) > 2 * len(MARKERS):
         raise PlotError(f"{len(labels)} lines are too many to tell apart; choose with --filter, such as technique=pom,qdm")
     styles = {label: style_of(index) for index, label in enumerate(labels)}
@@ -253,7 +255,7 @@ def make_figure(cells, x, y, title, log_x, log_y, by_numbers=False, besides=(), 
     figure, grid = plt.subplots(rows, columns, squeeze=False, sharex=True, sharey=True, layout="constrained",
                                 figsize=(PANEL_INCHES[0] * columns + LEGEND_INCHES, PANEL_INCHES[1] * rows + (0.3 if title else 0)))
     for axes, (name, group) in zip(grid.flat, panels):
-        draw_panel(axes, series_of(group, by_numbers), styles, x_column, y_column)
+        draw_panel(axes, series_of(group, each_setting), styles, x_column, y_column)
         if front:
             draw_front(axes, group, x_column, y_column)
         axes.set_title(name, fontsize=8)
@@ -299,7 +301,7 @@ def plot_angle(cells, options, notes):
     if cells[VIEW_ANGLE[0]].nunique() < 2:
         raise PlotError("angle: all cells have one view angle; export a run whose axis view_angle has several")
     log = wants_log(cells[cost[0]])
-    return make_figure(cells, VIEW_ANGLE, cost, options.title, False, log, by_numbers=True, besides=[VIEW_ANGLE[0]])
+    return make_figure(cells, VIEW_ANGLE, cost, options.title, False, log, each_setting=True, besides=[VIEW_ANGLE[0]])
 
 
 FIGURES = {"pareto": plot_pareto, "steps": plot_steps, "angle": plot_angle}
