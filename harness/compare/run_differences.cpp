@@ -32,7 +32,6 @@ std::string text_of(const Json& value) {
     return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// "<what> <name> changed from <base> to <new>" for each member of two objects that differs.
 /// Of `object` what `other` has too.
 Json shared_members(const Json& object, const Json& other) {
     Json shared = Json::object();
@@ -43,6 +42,7 @@ Json shared_members(const Json& object, const Json& other) {
     return shared;
 }
 
+/// "<what> <name> changed from <base> to <new>" for each member of two objects that differs.
 void append_member_differences(std::vector<std::string>& differences, const std::string& what, const Json& base,
                                const Json& changed) {
     std::vector<std::string> names;

@@ -115,9 +115,20 @@ TEST(CompareRuns, ThreeRunsASideTellTheirOwnNoise) {
     EXPECT_THAT(comparison.notices, testing::Not(Contains(HasSubstr("noise"))));
 }
 
+// Runs made before there was an axis had it at its default, or their ids would differ.
+TEST(CompareRuns, AnAxisThatOneSideDoesNotKnowIsNoDifference) {
+    CellResult cell = cell_result("c", 1);
+    const StoredRun base = one_run("base", {cell});
+    cell.axes["self_shadow"] = "off";
+    const Comparison comparison = compare_one(base, one_run("new", {cell}));
+    EXPECT_EQ(comparison.cells.size(), 1U);
+    EXPECT_TRUE(comparison.uncompared.empty());
+}
+
 TEST(CompareRuns, WhatCannotBeComparedIsToldPlainly) {
     CellResult parameter = cell_result("parameter", 1);
     CellResult axis = cell_result("axis", 1);
+    axis.axes["height_scale"] = 0.05;
     const StoredRun base =
         one_run("base", {cell_result("gone", 1), cell_result("broken", 1), cell_result("unsupported", 1), parameter,
                          axis, with_status(cell_result("mended", 1), CellStatus::failed, "no shader"),
@@ -135,7 +146,7 @@ TEST(CompareRuns, WhatCannotBeComparedIsToldPlainly) {
                 ElementsAre("gone: only in the base", "broken: measured in the base, but now failed: lost device",
                             "unsupported: measured in the base, but now skipped: no feature",
                             "parameter: the parameter max_steps changed from 32 to 64",
-                            "axis: the axis height_scale changed from unknown to 0.1",
+                            "axis: the axis height_scale changed from 0.05 to 0.1",
                             "mended: measured now, but in the base failed: no shader",
                             "never: not measured on either side (base: skipped: no feature; new: skipped: no feature)",
                             "fresh: only in the new runs"));
