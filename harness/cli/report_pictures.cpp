@@ -67,7 +67,8 @@ PagePicture read_picture(const std::filesystem::path& path, int& step) {
 /// Cells on the Pareto front of their view, then the others.
 std::vector<std::size_t> order_of_interest(const std::vector<CellResult>& cells) {
     std::set<const CellResult*> on_front;
-    for (const QualityCostView& view : quality_cost_views(cells)) {
+    const QualityCostTable table = quality_cost_table(cells);
+    for (const QualityCostView& view : table.views) {
         for (const QualityCostRow& row : view.rows) {
             if (row.mark == '*') on_front.insert(row.cell);
         }
