@@ -149,7 +149,9 @@ TEST_F(Ab, WhatTheBaselineDoesNotHaveIsToldAndNotCompared) {
 
 TEST_F(Ab, ADefaultThatChangedMakesItAnotherCell) {
     Json manifest = Json::parse(read_file(path("techniques/mine/technique.json")));
-    manifest["parameters"][0]["default"] = 30;
+    for (Json& parameter : manifest["parameters"]) {
+        if (parameter.at("name") == "max_steps") parameter["default"] = 30;
+    }
     write("techniques/mine/technique.json", manifest.dump());
     Outcome outcome = ab({"--budget", "1s"});
     EXPECT_THAT(outcome.out, AllOf(HasSubstr("a default has changed"), HasSubstr("mine max_steps=30")));

@@ -22,7 +22,7 @@ TEST_F(CameraOnDevice, AgreesWithTheScenes) {
         for (const double angle : {0.0, 45.0, 80.0}) {
             View view = make_view(angle, projection, {96, 64});
             view.camera.azimuth = -60;
-            Renderer renderer(device(), technique, {}, scene, view, Lighting{});
+            Renderer renderer(device(), technique, technique.manifest.defaults(), scene, view, Lighting{});
             renderer.prepare();
             const Probe probe = renderer.probe();
             int compared = 0;

@@ -121,7 +121,8 @@ TEST_F(DepthWriting, ObjectsCutThroughTheReliefWhereTheTruthSays) {
                     for (std::size_t channel = 0; channel < 3; ++channel)
                         ASSERT_NEAR(probe.colour.texels[i][channel], truth.colour.texels[i][channel], 1.0 / 255);
                 }
-                EXPECT_GT(shown, 50U);
+                // The box lies beneath the polygon, whose own depth hides it.
+                if (depth_write != DepthWrite::off) EXPECT_GT(shown, 50U);
             }
         }
     }
@@ -133,7 +134,7 @@ TEST_F(DepthWriting, ObjectsChangeNoHits) {
     const SceneOnDevice scene(device(), hills(), grey_albedo());
     const View view = view_with(DepthWrite::on, Projection::perspective);
     const Technique technique = folder.load();
-    Renderer with(device(), technique, {}, scene, view, Lighting{}, objects().front());
+    Renderer with(device(), technique, technique.manifest.defaults(), scene, view, Lighting{}, objects().front());
     with.prepare();
     const Probe cut = with.probe();
     const Probe whole = make_renderer(device(), technique, scene, view).probe();
