@@ -28,6 +28,7 @@ void add_ab_command(CLI::App& app, ChosenCommand& chosen);
 void add_selfcheck_command(CLI::App& app, ChosenCommand& chosen);
 void add_export_command(CLI::App& app, ChosenCommand& chosen);
 void add_report_command(CLI::App& app, ChosenCommand& chosen);
+void add_merge_command(CLI::App& app, ChosenCommand& chosen);
 void add_bench_command(CLI::App& app, ChosenCommand& chosen);
 /// Both write what they print from the other commands' own declarations; `app` must outlive `chosen`.
 void add_completion_command(CLI::App& app, ChosenCommand& chosen);

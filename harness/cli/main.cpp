@@ -87,6 +87,7 @@ int main(int argc, char** argv) {
     add_history_command(app, chosen);
     add_export_command(app, chosen);
     add_report_command(app, chosen);
+    add_merge_command(app, chosen);
     add_bench_command(app, chosen);
     add_completion_command(app, chosen);
     add_man_command(app, chosen);

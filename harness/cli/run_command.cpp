@@ -5,6 +5,7 @@
 #include "cli/progress_printer.hpp"
 #include "cli/results.hpp"
 #include "cli/run_sources.hpp"
+#include "cli/shard_choice.hpp"
 #include "cli/shared_options.hpp"
 #include "cli/terminal.hpp"
 #include "core/error.hpp"
@@ -29,6 +30,7 @@
 #include <ctime>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace reliefbench {
 
@@ -43,6 +45,7 @@ struct RunOptions {
     std::vector<std::string> filters;
     std::vector<std::string> exports;
     std::string format = run_format_names().front();
+    std::string shard;
     bool dry_run = false;
     ColourChoice colour;
     TechniqueOptions library;
@@ -119,7 +122,10 @@ OpenedRun resume_run(const std::filesystem::path& folder, const Json& now, bool 
 }
 
 OpenedRun open_run(const std::filesystem::path& folder, const Json& record, const std::string& resume) {
-    if (!resume.empty() && holds_run(folder)) return resume_run(folder, record, resume == "force");
+    if (!resume.empty()) {
+        if (holds_run(folder)) return resume_run(folder, record, resume == "force");
+        remove_unstarted_run(folder);
+    }
     return {std::make_unique<RunWriter>(folder, record), {}};
 }
 
@@ -163,7 +169,9 @@ ExitCode run(const RunOptions& options) {
     const double start_s = steady_clock().seconds();
     parse_run_format(options.format);
     const std::vector<ExportTarget> exports = parse_export_targets(options.exports);
-    const RunSources sources = read_run_sources(options.configuration, options.axes, options.filters, options.library);
+    RunSources sources = read_run_sources(options.configuration, options.axes, options.filters, options.library);
+    const std::optional<Shard> shard = chosen_shard(options.shard, read_json_file(options.configuration));
+    if (shard) sources.cells = cells_of_shard(sources.cells, *shard);
     if (options.dry_run) return print_plan(sources.cells);
 
     const std::vector<HeightMapRecord> maps = inspect_height_maps(sources.cells);
@@ -172,6 +180,7 @@ ExitCode run(const RunOptions& options) {
     Json record = make_run_record({sources.configuration, sources.library, sources.cells, maps, device});
     record["command_line"] = options.command_line;
     record["filters"] = sources.filters;
+    if (shard) record["shard"] = {{"index", shard->index}, {"count", shard->count}};
     record["technique_directories"] = sources.technique_directories;
     if (!options.resume.empty() && options.output.empty()) fail("--resume needs -o, the folder of the run");
     OpenedRun opened = open_run(output_folder(options, sources.configuration), record, options.resume);
@@ -246,6 +255,12 @@ void add_run_command(CLI::App& app, ChosenCommand& chosen, const std::vector<std
                      "(an array of the cells); default: table")
         ->type_name(join(run_format_names(), "|"));
     options->colour.add_to(*command);
+    command
+        ->add_option(
+            "--shard", options->shard,
+            "Measure one of N parts only, on this machine: I/N, I from 1; `merge` puts them together; default: "
+            "SLURM_ARRAY_TASK_ID of an array, GTEST_SHARD_INDEX, else all")
+        ->type_name("I/N");
     command->add_flag("--dry-run", options->dry_run, "Print blocks and cells; measure and write nothing");
     options->library.add_to(*command);
     options->device.add_to(*command);

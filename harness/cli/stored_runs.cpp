@@ -11,11 +11,6 @@ namespace reliefbench {
 
 namespace {
 
-bool holds_run(const std::filesystem::path& folder) {
-    std::error_code ignored;
-    return std::filesystem::exists(folder / "run.json", ignored);
-}
-
 std::vector<std::string> runs_below(const std::filesystem::path& folder) {
     std::vector<std::string> runs;
     std::error_code ignored;

@@ -2,6 +2,8 @@
 
 #include "store/read_samples.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <initializer_list>
 #include <utility>
@@ -75,6 +77,7 @@ std::vector<std::string> resume_differences(const Json& recorded, const Json& no
     const Json after = without_folders(value_at(now, {"configuration"}));
     if (before != after) differences.push_back("the configuration differs at " + places(before, after));
     if (value_at(recorded, {"filters"}) != value_at(now, {"filters"})) differences.push_back("the filters differ");
+    if (value_at(recorded, {"shard"}) != value_at(now, {"shard"})) differences.push_back("it is another shard");
     for (const auto& [what, key] : {std::pair("height maps", "height_maps"), std::pair("techniques", "techniques"),
                                     std::pair("shaders", "shaders")}) {
         const Json hashes_before = value_at(recorded, {key});

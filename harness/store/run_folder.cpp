@@ -5,6 +5,7 @@
 #include "core/hash.hpp"
 
 #include <cctype>
+#include <fstream>
 #include <set>
 #include <string_view>
 
@@ -17,6 +18,7 @@ constexpr const char* cells_file = "cells.jsonl";
 constexpr const char* samples_file = "samples.jsonl";
 constexpr const char* rounds_file = "rounds.jsonl";
 constexpr const char* summary_file = "summary.json";
+constexpr const char* images_folder = "images";
 
 /// File systems take names of 255 bytes: the rest is for the suffix.
 constexpr std::size_t longest_image_name = 180;
@@ -74,7 +76,7 @@ std::string image_name(const std::string& cell) {
 
 std::filesystem::path image_path(const std::filesystem::path& folder, const std::string& cell,
                                  const std::string& suffix) {
-    return folder / "images" / (image_name(cell) + suffix);
+    return folder / images_folder / (image_name(cell) + suffix);
 }
 
 RunWriter::RunWriter(const std::filesystem::path& folder, const Json& run) : folder_(folder) {
@@ -141,6 +143,21 @@ void RunWriter::append_round(const RoundRecord& round) {
     rounds_->append(dump_line(json));
 }
 
+void RunWriter::append_recorded(const std::filesystem::path& other_run) {
+    for (const auto& [name, file] : {std::pair(samples_file, &samples_), std::pair(rounds_file, &rounds_)}) {
+        std::ifstream lines(other_run / name, std::ios::binary);
+        for (std::string line; std::getline(lines, line) && !lines.eof();)
+            (*file)->append(line);
+    }
+    const std::filesystem::path images = other_run / images_folder;
+    if (!is_there(images)) return;
+    std::error_code error;
+    std::filesystem::copy(images, folder_ / images_folder,
+                          std::filesystem::copy_options::recursive | std::filesystem::copy_options::skip_existing,
+                          error);
+    if (error) fail("cannot copy {} into {}: {}", images.string(), folder_.string(), error.message());
+}
+
 void RunWriter::write_summary(const Json& summary) {
     write_text_file(folder_ / summary_file, dump_document(summary));
 }
@@ -157,18 +174,21 @@ std::optional<Json> read_run_summary(const std::filesystem::path& folder) {
 }
 
 bool holds_run(const std::filesystem::path& folder) {
-    if (is_there(folder / run_file)) return true;
+    return is_there(folder / run_file);
+}
+
+void remove_unstarted_run(const std::filesystem::path& folder) {
+    if (holds_run(folder)) return;
     for (const char* file : {cells_file, samples_file, rounds_file}) {
         std::error_code error;
         if (std::filesystem::file_size(folder / file, error) == 0 && !error) {
             std::filesystem::remove(folder / file, error);
         }
     }
-    return false;
 }
 
 Json read_run_record(const std::filesystem::path& folder) {
-    if (!is_there(folder / run_file)) {
+    if (!holds_run(folder)) {
         fail("{} holds no run: there is no {} in it", folder.string(), run_file);
     }
     return read_json_file(folder / run_file);

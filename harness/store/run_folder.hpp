@@ -56,6 +56,9 @@ public:
     void append_cell(const CellResult& result);
     void append_samples(const RawSamples& samples);
     void append_round(const RoundRecord& round);
+    /// Samples, rounds and images of another run as they stand there. Last lines that were cut short are left out, and
+    /// so are images that are there already (legends).
+    void append_recorded(const std::filesystem::path& other_run);
     /// At the run's end: summary.json.
     void write_summary(const Json& summary);
     /// The path that the free function of this name gives; makes the folder on first use.
@@ -88,8 +91,10 @@ Run read_run(const std::filesystem::path& folder);
 /// run.json alone.
 Json read_run_record(const std::filesystem::path& folder);
 
-/// Whether there is a run.json. A folder in which a run was interrupted before it had one holds empty files at most;
-/// they are removed.
+/// Whether there is a run.json.
 bool holds_run(const std::filesystem::path& folder);
+
+/// A folder in which a run was interrupted before it had a run.json holds empty files at most: they are removed.
+void remove_unstarted_run(const std::filesystem::path& folder);
 
 }  // namespace reliefbench

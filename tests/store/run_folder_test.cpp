@@ -183,17 +183,20 @@ TEST_F(RunFolder, OnlyOneProcessWritesToARun) {
                 testing::HasSubstr("is being written by another process"));
 }
 
-TEST_F(RunFolder, WhatNeverBeganHoldsNoRun) {
+TEST_F(RunFolder, WhatNeverBeganIsRemoved) {
     fs::create_directories(folder);
-    EXPECT_FALSE(holds_run(folder));
     write_text_file(folder / "cells.jsonl", "");
     EXPECT_FALSE(holds_run(folder));
+    remove_unstarted_run(folder);
     EXPECT_FALSE(fs::exists(folder / "cells.jsonl"));
     write_text_file(folder / "cells.jsonl", "precious\n");
-    EXPECT_FALSE(holds_run(folder));
+    remove_unstarted_run(folder);
     EXPECT_TRUE(fs::exists(folder / "cells.jsonl"));
+    write_text_file(folder / "samples.jsonl", "");
     write_text_file(folder / "run.json", "{}");
     EXPECT_TRUE(holds_run(folder));
+    remove_unstarted_run(folder);
+    EXPECT_TRUE(fs::exists(folder / "samples.jsonl"));
 }
 
 TEST_F(RunFolder, ImagesAreNamedAfterTheirCells) {

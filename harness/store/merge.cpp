@@ -1,0 +1,134 @@
+#include "store/merge.hpp"
+
+#include "core/error.hpp"
+#include "core/suggest.hpp"
+#include "store/resume.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+#include <set>
+
+namespace reliefbench {
+
+namespace {
+
+struct ShardNumber {
+    std::int64_t index = 0;
+    std::int64_t count = 0;
+};
+
+ShardNumber shard_of(const NamedRun& run) {
+    const JsonView record(run.run.run, run.name);
+    if (!record.has("shard")) fail("{} is no shard: its run.json has no 'shard'; there is nothing to merge", run.name);
+    const JsonView shard = record.at("shard");
+    const ShardNumber number{shard.at("index").integer(1), shard.at("count").integer(1)};
+    if (number.index > number.count) fail("{}: shard {} of {} cannot be", run.name, number.index, number.count);
+    return number;
+}
+
+/// Shards inspect the height maps of their own cells only: those that several have must agree, and all are kept.
+void add_height_maps(Json& all, const NamedRun& run) {
+    const auto maps = run.run.run.find("height_maps");
+    if (maps == run.run.run.end() || !maps->is_array()) return;
+    for (const Json& map : *maps) {
+        const auto is_same_map = [&](const Json& other) {
+            return other.value("name", "") == map.value("name", "") &&
+                   other.value("format", "") == map.value("format", "") &&
+                   other.value("size", Json()) == map.value("size", Json());
+        };
+        const auto known = std::find_if(all.begin(), all.end(), is_same_map);
+        if (known == all.end()) {
+            all.push_back(map);
+        } else if (*known != map) {
+            fail("{} has another height map '{}' than the shards before it; measure one of them again", run.name,
+                 map.value("name", ""));
+        }
+    }
+}
+
+/// What resume_differences compares, without what only some shards have.
+Json comparable(Json record) {
+    record.erase("height_maps");
+    record.erase("techniques");
+    record.erase("shard");
+    return record;
+}
+
+void add_techniques(Json& all, const NamedRun& run) {
+    const auto techniques = run.run.run.find("techniques");
+    if (techniques == run.run.run.end() || !techniques->is_object()) return;
+    for (const auto& [id, hash] : techniques->items()) {
+        if (all.contains(id) && all.at(id) != hash) {
+            fail(
+                "{} was drawn with other sources of the technique '{}' than the shards before it; measure one of them "
+                "again",
+                run.name, id);
+        }
+        all[id] = hash;
+    }
+}
+
+void require_same_run(const NamedRun& first, const NamedRun& other) {
+    const std::vector<std::string> differences =
+        resume_differences(comparable(first.run.run), comparable(other.run.run));
+    if (differences.empty()) return;
+    fail("{} and {} are no shards of one run: {}; their times would not be of one thing", first.name, other.name,
+         join(differences, "; "));
+}
+
+Json part_record(const NamedRun& run) {
+    Json part;
+    part["name"] = run.name;
+    for (const char* key : {"shard", "environment", "device"})
+        part[key] = run.run.run.contains(key) ? run.run.run.at(key) : Json(nullptr);
+    part["cells"] = Json::array();
+    for (const CellResult& cell : run.run.cells)
+        part["cells"].push_back(cell.cell);
+    return part;
+}
+
+}  // namespace
+
+MergedRun merge_runs(std::span<const NamedRun> shards) {
+    assert(!shards.empty());
+    const NamedRun& first = shards.front();
+    const std::int64_t count = shard_of(first).count;
+    std::map<std::int64_t, std::string> run_of_shard;
+    std::map<std::string, std::string> run_of_cell;
+    Json height_maps = Json::array();
+    Json techniques = Json::object();
+    MergedRun merged;
+    merged.run.run = first.run.run;
+    merged.run.run.erase("shard");
+    merged.run.run.erase("resumed");
+    merged.run.run["merged"] = Json::array();
+    for (const NamedRun& run : shards) {
+        const ShardNumber shard = shard_of(run);
+        if (shard.count != count) {
+            fail("{} is one of {} shards, {} one of {}: they are parts of different runs", first.name, count, run.name,
+                 shard.count);
+        }
+        require_same_run(first, run);
+        if (const auto [place, is_new] = run_of_shard.emplace(shard.index, run.name); !is_new) {
+            fail("{} and {} are both shard {}/{}; leave one of them out", place->second, run.name, shard.index, count);
+        }
+        for (const CellResult& cell : run.run.cells) {
+            if (const auto [place, is_new] = run_of_cell.emplace(cell.cell, run.name); !is_new) {
+                fail("the cell '{}' stands in {} and in {}; leave one of them out", cell.cell, place->second, run.name);
+            }
+            merged.run.cells.push_back(cell);
+        }
+        add_height_maps(height_maps, run);
+        add_techniques(techniques, run);
+        merged.run.run["merged"].push_back(part_record(run));
+    }
+    merged.run.run["height_maps"] = std::move(height_maps);
+    merged.run.run["techniques"] = std::move(techniques);
+    for (std::int64_t index = 1; index <= count; ++index) {
+        if (!run_of_shard.contains(index)) merged.missing.push_back(fmt::format("shard {}/{}", index, count));
+    }
+    return merged;
+}
+
+}  // namespace reliefbench
