@@ -96,7 +96,7 @@ public:
         }
         split_.total_s = clock_.seconds() - start_s_;
         split_.truth_s = inputs_.truth_seconds();
-        const bool ended_early = interrupted();
+        const bool ended_early = cells_done_ < cells_.size();
         if (ended_early) {
             std::erase_if(results_, [](const CellResult& result) { return result.cell.empty(); });
         }
