@@ -219,10 +219,15 @@ function onPointer(element: HTMLElement, picture: Picture | null, point: (pixel:
 }
 
 function canvasOf(picture: Picture | null, name: string): HTMLElement {
-  if (picture === null) return h("div", { class: "missing" }, "no picture");
+  if (picture === null) return h("div", { class: "missing" }, "not in this file");
   const canvas = h("canvas", { class: "picture", attrs: { "data-picture": name, role: "img", "aria-label": name } });
   draw(picture, canvas);
   return canvas;
+}
+
+/** So that a whole picture can be seen at once, however wide the window. */
+function limitHeight(frame: HTMLElement, picture: Picture | null): void {
+  if (picture !== null) frame.style.maxWidth = `calc(72vh * ${picture.width / picture.height})`;
 }
 
 function placeCross(cross: HTMLElement, picture: Picture | null, pixel: Pixel | null): void {
@@ -234,6 +239,7 @@ function placeCross(cross: HTMLElement, picture: Picture | null, pixel: Pixel | 
 
 function paneOf(name: string, title: string, picture: Picture | null, point: (pixel: Pixel) => void): HTMLElement {
   const frame = h("div", { class: "picture-frame" }, canvasOf(picture, name), h("span", { class: "cross" }));
+  limitHeight(frame, picture);
   onPointer(frame, picture, point);
   return h("figure", { class: "pane" }, h("figcaption", {}, title), frame);
 }
@@ -291,6 +297,7 @@ function slider(shown: Shown, start: number, onMove: (to: number) => void, point
   };
   frame.addEventListener("pointermove", follow);
   frame.addEventListener("pointerdown", follow);
+  limitHeight(frame, shown.technique ?? shown.truth);
   onPointer(frame, shown.technique ?? shown.truth, point);
   place(start);
   return h("figure", { class: "pane" }, h("figcaption", {}, "Ground truth left, technique right"), frame, range);
@@ -304,6 +311,7 @@ function flipPane(shown: Shown, point: (pixel: Pixel) => void, flip: () => void)
     h("div", { class: "over whole" }, canvasOf(shown.truth, "truth")),
     h("span", { class: "cross" }),
   );
+  limitHeight(frame, shown.technique ?? shown.truth);
   onPointer(frame, shown.technique ?? shown.truth, point);
   return h("figure", { class: "pane flip" }, h("figcaption", {}), frame);
 }
