@@ -19,6 +19,7 @@ public:
     CellDrawing(const gpu::Device& device, const TechniqueLibrary& library, const Lighting& lighting = {},
                 const std::optional<SceneObject>& object = std::nullopt);
 
+    const Manifest& manifest_of(const Cell& cell) const { return library_->get(cell.technique).manifest; }
     /// An Error when the device does not support the cell, or a shader does not compile.
     Probe probe(const Cell& cell);
     /// The parts are those of `probe` and of this object; its truth is valid until another view is drawn.

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/log.hpp"
+#include "manifest/parameter_json.hpp"
 #include "measure/cell_figures.hpp"
 #include "picture/map_picture.hpp"
 #include "picture/sheet.hpp"
@@ -50,11 +51,15 @@ std::string words(const std::vector<std::string>& list) {
     return fmt::format("{}", fmt::join(list, "  "));
 }
 
-std::vector<std::string> parameter_words(const Cell& cell) {
+/// The sample count, and what is not at its default.
+std::vector<std::string> parameter_words(const Manifest& manifest, const ParameterValues& values) {
     std::vector<std::string> list;
-    const Json parameters = parameters_to_json(cell.parameters);
-    for (const auto& [name, value] : parameters.items()) {
-        list.push_back(fmt::format("{}={}", name, value.is_string() ? value.get<std::string>() : value.dump()));
+    for (const Parameter& parameter : manifest.parameters) {
+        const ParameterValue& set = values.at(parameter.name);
+        if (parameter.name != manifest.sample_count && set == parameter.default_value) continue;
+        const Json value = to_json(set);
+        list.push_back(
+            fmt::format("{}={}", parameter.name, value.is_string() ? value.get<std::string>() : value.dump()));
     }
     return list;
 }
@@ -86,14 +91,14 @@ std::vector<std::string> figures_of(const DrawnCell& drawn) {
     return lines;
 }
 
-Sheet::Row row_of(const Cell& cell, const std::vector<std::string>& common) {
+Sheet::Row row_of(const Cell& cell, const Manifest& manifest, const std::vector<std::string>& common) {
     constexpr std::size_t longest_line = 38;
     Sheet::Row row;
     row.title = cell.technique;
     std::vector<std::string> own = parts_of(cell).axes;
     std::erase_if(
         own, [&](const std::string& axis) { return std::find(common.begin(), common.end(), axis) != common.end(); });
-    row.lines = in_lines(parameter_words(cell), longest_line);
+    row.lines = in_lines(parameter_words(manifest, cell.parameters), longest_line);
     const std::vector<std::string> axes = in_lines(own, longest_line);
     row.lines.insert(row.lines.end(), axes.begin(), axes.end());
     return row;
@@ -166,7 +171,7 @@ Sheet make_contact_sheet(const std::vector<Cell>& cells, const std::vector<Shown
     sheet.title = words(common);
     sheet.columns = columns_of(shown, font);
     for (const Cell& cell : cells) {
-        Sheet::Row row = row_of(cell, common);
+        Sheet::Row row = row_of(cell, drawing.manifest_of(cell), common);
         if (!cell.skip_reason.empty()) {
             row.lines.push_back("skipped: " + cell.skip_reason);
             sheet.rows.push_back(std::move(row));

@@ -19,8 +19,9 @@ std::vector<Picture> pictures_of(const std::vector<Shown>& shown, const DrawnCel
 /// whole picture where there is none.
 Rectangle relief_rectangle(const Truth& truth);
 
-/// One row per cell, labelled with its technique, parameters, the axes in which cells differ, errors and taps. A cell
-/// that cannot be drawn has its reason in place of pictures, and is counted in `failures` unless it was skipped.
+/// One row per cell, labelled with its technique, its sample count, parameters that are not at their defaults, the axes
+/// in which cells differ, errors and taps. A cell that cannot be drawn has its reason in place of pictures, and is
+/// counted in `failures` unless it was skipped.
 Sheet make_contact_sheet(const std::vector<Cell>& cells, const std::vector<Shown>& shown, CellDrawing& drawing,
                          const Font& font, std::size_t& failures);
 
