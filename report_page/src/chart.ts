@@ -67,6 +67,8 @@ export class Chart {
       // An element that is not shown has no size yet.
       this.chart = init(this.element, null, { renderer: "canvas" });
       this.chart.on("click", (event) => onClick(event.data));
+      // Back from where wheel and drag have led.
+      this.chart.getZr().on("dblclick", () => this.show(this.option ?? {}));
       if (this.option) this.chart.setOption(this.option, { notMerge: true });
     }).observe(this.element);
   }

@@ -154,6 +154,20 @@ test("hovering tells the cell and a click pins it", async () => {
   assert.match(await page.textContent(".pin"), /qdm.*leaf=exact.*0\.500 ms/);
 });
 
+test("a wheel zooms into a chart and a double click leads back", async () => {
+  await open("small", "facet=none");
+  await page.waitForSelector(".chart canvas");
+  const picture = () => page.evaluate(() => document.querySelector("main .chart canvas").toDataURL());
+  const whole = await picture();
+  const box = await page.locator("main .chart").boundingBox();
+  // Where no point is, so that nothing is pinned.
+  await page.mouse.move(box.x + box.width - 60, box.y + 40);
+  await page.mouse.wheel(0, -400);
+  await page.waitForFunction((before) => document.querySelector("main .chart canvas").toDataURL() !== before, whole);
+  await page.mouse.dblclick(box.x + box.width - 60, box.y + 40);
+  await page.waitForFunction((before) => document.querySelector("main .chart canvas").toDataURL() === before, whole);
+});
+
 test("what to use is said in words for a budget and for a limit", async () => {
   await open("small", "view=advice&axis.view_angle=60&budget=0.4");
   assert.match(
