@@ -122,7 +122,9 @@ TEST_F(DepthWriting, ObjectsCutThroughTheReliefWhereTheTruthSays) {
                         ASSERT_NEAR(probe.colour.texels[i][channel], truth.colour.texels[i][channel], 1.0 / 255);
                 }
                 // The box lies beneath the polygon, whose own depth hides it.
-                if (depth_write != DepthWrite::off) EXPECT_GT(shown, 50U);
+                if (depth_write != DepthWrite::off) {
+                    EXPECT_GT(shown, 50U);
+                }
             }
         }
     }
