@@ -2,8 +2,8 @@
 #define RELIEFBENCH_PATCHES_GLSL
 
 // What tessellation stages share: patch corners in, surface points out. A patch has `patch_corners` of them. Those of a
-// quad are in the order (0,0), (1,0), (0,1), (1,1) of gl_TessCoord; those of a triangle, whose weights gl_TessCoord has, go
-// counterclockwise as seen from above.
+// quad are in the order (0,0), (1,0), (0,1), (1,1) of gl_TessCoord; those of a triangle, whose weights gl_TessCoord has,
+// go counterclockwise as seen from above.
 
 #include "scene.glsl"
 #include "taps.glsl"
