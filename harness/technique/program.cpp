@@ -144,6 +144,7 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
     const bool probed = variant == Variant::probed;
     std::string preamble = probed ? "#define RELIEFBENCH_PROBED 1\n" : "";
     if (indexes_scene(device)) preamble += "#define RELIEFBENCH_INDEXED_SCENE 1\n";
+<<<<<<< HEAD
     if (marches(manifest.kind)) preamble += "#define RELIEFBENCH_OWN_MARCH 1\n";
     if (depth_write != DepthWrite::off) preamble += "#define RELIEFBENCH_WRITE_DEPTH 1\n";
     if (depth_write == DepthWrite::conservative) preamble += "#define RELIEFBENCH_CONSERVATIVE_DEPTH 1\n";
@@ -157,6 +158,11 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
             fmt::format("const int patch_corners = {};\n", manifest.shape.patch_corners(parameters));
         preamble += corners;
         key += corners;
+=======
+    preamble += declare_parameters(manifest);
+    for (std::size_t i = 0; i < manifest.maps.size(); ++i) {
+        if (!manifest.maps[i].scratch) preamble += declare_map(manifest.maps[i], i);
+>>>>>>> a05bc10 (Preparation that takes long runs in slices, is limited, and is kept on disk)
     }
 
     std::vector<gpu::CompiledStage> stages;
@@ -178,10 +184,12 @@ gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& tech
     for (const std::size_t map : maps_before(manifest, pass))
         preamble += declare_map(manifest.maps[map], map);
     const MapDeclaration& target = find_map(manifest, pass.writes);
+    const bool folds = pass.sliced && pass.sliced->over == Slicing::Over::sources;
     // The format names of technique.json are GLSL's.
-    preamble += fmt::format("layout(set = 0, binding = {}, {}) uniform writeonly {} target_map;\n", binding::target_map,
-                            target.format, target.is_volume() ? "image3D" : "image2D");
+    preamble += fmt::format("layout(set = 0, binding = {}, {}) uniform {} {} target_map;\n", binding::target_map,
+                            target.format, folds ? "" : "writeonly", target.is_volume() ? "image3D" : "image2D");
     if (target.is_volume()) preamble += "#define RELIEFBENCH_VOLUME 1\n";
+    if (folds) preamble += "#define RELIEFBENCH_FOLDS 1\n";
     if (pass.levels == PassDeclaration::Levels::above_base) preamble += "#define RELIEFBENCH_ABOVE_BASE 1\n";
     return compile_stage(device, technique, pass.name + compile_time_key(manifest, parameters),
                          {.stage = gpu::ShaderStage::compute,

@@ -176,7 +176,7 @@ bool check_compiles(CheckList& list) {
     return list.check("compiles", describe(list.manifest().defaults(), list.manifest()), [&]() -> Finding {
         Renderer renderer(list.device(), list.technique(), list.manifest().defaults(),
                           list.scenes().get(first.map, first.map_size).on_device, first.view, coordinate_lighting());
-        renderer.prepare();
+        renderer.prepare(list.preparation());
         renderer.draw_timed(ColourTarget::display);
         renderer.probe();
         return {true, "timed and probed, every stage"};
@@ -184,6 +184,7 @@ bool check_compiles(CheckList& list) {
 }
 
 void check_pictures(CheckList& list) {
+<<<<<<< HEAD
     const std::vector<Circumstance> circumstances = picture_circumstances();
     const std::vector<ParameterValues> all = variants(list.manifest());
     for (const Circumstance& where : circumstances)
@@ -191,6 +192,28 @@ void check_pictures(CheckList& list) {
     // The others in one each, in turn: there are many, and what they share with the defaults has been seen.
     for (std::size_t i = 1; i < all.size(); ++i)
         check_picture(list, all[i], circumstances[i % circumstances.size()]);
+=======
+    const bool bit_for_bit = list.device().info().type == gpu::DeviceType::cpu;
+    for (const ParameterValues& parameters : variants(list.manifest())) {
+        for (const Circumstance& where : picture_circumstances()) {
+            const std::string text = describe(parameters, list.manifest()) + "; " + describe(where);
+            TimedPicture timed;
+            Probe probe;
+            const CoordinateScene& scene = list.scenes().get(where.map, where.map_size);
+            const bool drawn = list.check("timed and probed agree", text, [&] {
+                Renderer renderer(list.device(), list.technique(), parameters, scene.on_device, where.view,
+                                  coordinate_lighting());
+                renderer.prepare(list.preparation());
+                timed = renderer.draw_timed(ColourTarget::linear_float);
+                probe = renderer.probe();
+                return compare_pictures(timed, probe, scene.map, bit_for_bit);
+            });
+            if (drawn)
+                list.check("hits are in range", text,
+                           [&] { return check_hits(timed, probe, where.view, range_tolerance(list.manifest())); });
+        }
+    }
+>>>>>>> a05bc10 (Preparation that takes long runs in slices, is limited, and is kept on disk)
 }
 
 void check_polygon(CheckList& list) {
@@ -200,9 +223,9 @@ void check_polygon(CheckList& list) {
     for (const Projection projection : {Projection::perspective, Projection::parallel}) {
         const Circumstance where = circumstance("ones", {32, 32}, projection, 60, -70);
         list.check("a map of ones is the polygon", describe(where), [&]() -> Finding {
-            const HitErrors errors =
-                compare_with_truth(list.device(), list.technique(), list.manifest().defaults(), ones, where.view)
-                    .errors;
+            const HitErrors errors = compare_with_truth(list.device(), list.technique(), list.manifest().defaults(),
+                                                        ones, where.view, list.preparation())
+                                         .errors;
             const double worst = errors.uv_texels ? errors.uv_texels->max : INFINITY;
             const double wrong = errors.missed + errors.false_hits;
             return {worst <= tolerance_texels && wrong <= tolerated_pixels,
@@ -216,7 +239,8 @@ void check_work(CheckList& list) {
     const Circumstance where = picture_circumstances().front();
     list.check("work is counted", describe(where), [&]() -> Finding {
         const auto probe_map = [&](const CoordinateScene& scene) {
-            return compare_with_truth(list.device(), list.technique(), list.manifest().defaults(), scene, where.view)
+            return compare_with_truth(list.device(), list.technique(), list.manifest().defaults(), scene, where.view,
+                                      list.preparation())
                 .probe;
         };
         const Probe relief = probe_map(list.scenes().get(where.map, where.map_size));
