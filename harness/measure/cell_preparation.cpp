@@ -50,8 +50,9 @@ CellResult blank_result(const Cell& cell) {
 }
 
 std::string describe(const PreparationProgress& progress) {
-    return fmt::format("preparing ({}) {:.0f} %, {:.0f} s left", progress.pass, 100 * progress.fraction,
-                       progress.remaining_s);
+    std::string text = fmt::format("preparing ({}) {:.0f} %", progress.pass, 100 * progress.fraction);
+    if (progress.remaining_s >= 0) text += fmt::format(", {:.0f} s left", progress.remaining_s);
+    return text;
 }
 
 PreparedOrSkipped prepare_cell(const gpu::Device& device, const Technique& technique, const Cell& cell,

@@ -65,105 +65,21 @@ vk::Extent2D map_extent(const MapDeclaration& map, Resolution height_map) {
 
 DerivedMaps::DerivedMaps(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
                          const SceneOnDevice::Textures& scene)
-<<<<<<< HEAD
-    : device_(&device), heights_(&scene) {
-    for (const MapDeclaration& map : technique.manifest.maps) {
-        if (!all_hold(map.only_with, parameters)) {
-            maps_.emplace_back();
-            continue;
-        }
-        const vk::Extent2D extent = map_extent(map, scene.size);
-        const std::uint32_t levels = map.mip_chain ? gpu::full_mip_chain(extent) : 1;
-        const vk::Filter filter = map.linear_filter ? vk::Filter::eLinear : vk::Filter::eNearest;
-        const auto slices = static_cast<std::uint32_t>(map.slices(parameters));
-        maps_.emplace_back(Map{gpu::Texture(device, extent, vulkan_format(map), levels, map_usage, slices),
-                               gpu::make_sampler(device, {.filter = filter})});
-    }
-    for (const PassDeclaration& pass : technique.manifest.passes) {
-        if (maps_[index_of_map(technique.manifest, pass.writes)])
-            passes_.push_back(make_pass(technique, pass, parameters, scene));
-    }
-}
-
-DerivedMaps::Pass DerivedMaps::make_pass(const Technique& technique, const PassDeclaration& declaration,
-                                         const ParameterValues& parameters,
-                                         const SceneOnDevice::Textures& scene) const {
-    const Manifest& manifest = technique.manifest;
-    const Map& target = *maps_[index_of_map(manifest, declaration.writes)];
-    const gpu::ComputePipelineOptions options{.shader = compile_pass(*device_, technique, parameters, declaration),
-                                              .constants = parameter_constants(manifest, parameters),
-                                              .push_constant_bytes = sizeof(std::int32_t)};
-    const bool above_base = declaration.levels == PassDeclaration::Levels::above_base;
-    const std::uint32_t first_level = above_base ? 1 : 0;
-    const std::uint32_t end_level = above_base ? target.texture.levels : 1;
-    std::vector<std::vector<gpu::Binding>> sets;
-    std::vector<vk::Extent2D> sizes;
-    for (std::uint32_t level = first_level; level < end_level; ++level) {
-        std::vector<gpu::Binding>& bindings = sets.emplace_back(scene.height_bindings());
-        bindings.push_back(gpu::storage_image(binding::target_map, target.texture.level_views[level]));
-        if (above_base)
-            bindings.push_back(gpu::sampled_image(binding::previous_map, target.texture.level_views[level - 1],
-                                                  scene.nearest_repeat, vk::ImageLayout::eGeneral));
-        for (const std::size_t map : maps_before(manifest, declaration))
-            bindings.push_back(bind_map(map, vk::ImageLayout::eGeneral));
-        sizes.push_back(target.texture.level_extent(level));
-    }
-    Pass pass{.name = declaration.name,
-              .pipeline = {},
-              .first_level = first_level,
-              .level_sizes = sizes,
-              .slices = std::max(target.texture.slices, 1u)};
-    // A map of one texel has no level above its base.
-    if (!sets.empty()) pass.pipeline = gpu::make_compute_pipeline(*device_, options, sets);
-    return pass;
-}
-
-void DerivedMaps::record_pass(const vk::raii::CommandBuffer& commands, const Pass& pass) const {
-    for (std::size_t i = 0; i < pass.level_sizes.size(); ++i) {
-        const auto level = static_cast<std::int32_t>(pass.first_level + i);
-        pass.pipeline.bind(commands, i);
-        commands.pushConstants<std::int32_t>(pass.pipeline.layout(), vk::ShaderStageFlagBits::eCompute, 0, level);
-        commands.dispatch(groups(pass.level_sizes[i].width), groups(pass.level_sizes[i].height), pass.slices);
-        gpu::full_barrier(commands);
-    }
-}
-
-Preparation DerivedMaps::prepare(int samples) {
-    Preparation result;
-    std::vector<const gpu::Texture*> textures;
-    for (const std::optional<Map>& map : maps_) {
-        if (!map) continue;
-        textures.push_back(&map->texture);
-        result.bytes += map->texture.bytes;
-    }
-    if (textures.empty()) return result;
-
-    for (int sample = 0; sample < samples; ++sample) {
-        const gpu::Timestamps timestamps(*device_,
-                                         static_cast<std::uint32_t>(std::max<std::size_t>(passes_.size(), 1)));
-        gpu::submit_and_wait(*device_, "prepare the derived maps", [&](const vk::raii::CommandBuffer& commands) {
-            timestamps.reset(commands);
-            for (const gpu::Texture* texture : textures)
-                gpu::change_layout(commands, *texture->image, texture->all(), vk::ImageLayout::eUndefined,
-                                   vk::ImageLayout::eGeneral);
-            for (std::uint32_t i = 0; i < passes_.size(); ++i) {
-                timestamps.start(commands, i);
-                record_pass(commands, passes_[i]);
-                timestamps.end(commands, i);
-            }
-            for (const gpu::Texture* texture : textures)
-                gpu::change_layout(commands, *texture->image, texture->all(), vk::ImageLayout::eGeneral,
-                                   vk::ImageLayout::eShaderReadOnlyOptimal);
-=======
     : device_(&device), technique_(&technique), scene_(&scene), parameters_(parameters) {
     for (const PassDeclaration& pass : technique.manifest.passes) {
-        if (pass.runs_with(parameters)) passes_.push_back(compile(device, technique, pass, parameters));
+        if (runs(pass)) passes_.push_back(compile(device, technique, pass, parameters));
     }
     for (const MapDeclaration& map : technique.manifest.maps) {
         check_levels(map);
         maps_.emplace_back();
         if (!map.scratch) maps_.back().emplace(make_map(map));
     }
+}
+
+bool DerivedMaps::runs(const PassDeclaration& pass) const {
+    const auto& maps = technique_->manifest.maps;
+    const auto target = std::ranges::find(maps, pass.writes, &MapDeclaration::name);
+    return all_hold(pass.only_with, parameters_) && all_hold(target->only_with, parameters_);
 }
 
 bool DerivedMaps::is_written(const std::string& map) const {
@@ -174,7 +90,6 @@ void DerivedMaps::check_levels(const MapDeclaration& map) const {
     const auto writes = [&](PassDeclaration::Levels levels) {
         return std::ranges::any_of(passes_, [&](const CompiledPass& pass) {
             return pass.declaration->writes == map.name && pass.declaration->levels == levels;
->>>>>>> a05bc10 (Preparation that takes long runs in slices, is limited, and is kept on disk)
         });
     };
     const bool base = writes(PassDeclaration::Levels::base);
@@ -198,8 +113,8 @@ DerivedMap DerivedMaps::make_map(const MapDeclaration& declaration) const {
 
 Preparation DerivedMaps::prepare(const PreparationSettings& settings) {
     Preparation result;
-    for (const std::optional<DerivedMap>& map : maps_) {
-        if (map) result.bytes += map->texture.bytes;
+    for (std::size_t map = 0; map < maps_.size(); ++map) {
+        if (maps_[map] && is_written(technique_->manifest.maps[map].name)) result.bytes += maps_[map]->texture.bytes;
     }
     if (maps_.empty()) return result;
     const bool may_take_long =
@@ -210,14 +125,6 @@ Preparation DerivedMaps::prepare(const PreparationSettings& settings) {
     return result;
 }
 
-<<<<<<< HEAD
-gpu::Binding DerivedMaps::bind_map(std::size_t index, vk::ImageLayout layout) const {
-    const std::uint32_t place = binding::first_derived_map + static_cast<std::uint32_t>(index);
-    const std::optional<Map>& map = maps_[index];
-    if (map) return gpu::sampled_image(place, map->texture.view, map->sampler, layout);
-    return gpu::sampled_image(place, heights_->heights.view, heights_->nearest_repeat,
-                              vk::ImageLayout::eShaderReadOnlyOptimal);
-=======
 bool DerivedMaps::make(const PreparationSettings& settings, Preparation& result) {
     for (std::size_t map = 0; map < maps_.size(); ++map) {
         const MapDeclaration& declaration = technique_->manifest.maps[map];
@@ -257,8 +164,8 @@ bool DerivedMaps::run_pass(const PreparationPass& pass, const PreparationSetting
         result.given_up = reason_to_give_up(declaration, plan, earlier_ms, settings.limit_s);
         if (!result.given_up.empty()) return false;
         if (settings.on_progress) {
-            settings.on_progress(
-                {declaration.name, plan.fraction(), (plan.estimated_ms() - plan.elapsed_ms()) / ms_per_s});
+            const double remaining_s = (plan.estimated_ms() - plan.elapsed_ms()) / ms_per_s;
+            settings.on_progress({declaration.name, plan.fraction(), declaration.sliced->ends_early ? -1 : remaining_s});
         }
     }
     result.pass_ms[declaration.name].push_back(plan.elapsed_ms());
@@ -314,22 +221,16 @@ void DerivedMaps::keep(const PreparationSettings& settings, const Preparation& r
                 gpu::read_texture(*device_, map->texture, level, vk::ImageLayout::eShaderReadOnlyOptimal));
     }
     write_kept_maps(settings.cache, key(), kept);
->>>>>>> a05bc10 (Preparation that takes long runs in slices, is limited, and is kept on disk)
 }
 
 std::vector<gpu::Binding> DerivedMaps::draw_bindings() const {
     std::vector<gpu::Binding> bindings;
-<<<<<<< HEAD
-    for (std::size_t i = 0; i < maps_.size(); ++i)
-        bindings.push_back(bind_map(i, vk::ImageLayout::eShaderReadOnlyOptimal));
-=======
     for (std::size_t i = 0; i < maps_.size(); ++i) {
         if (!maps_[i] || technique_->manifest.maps[i].scratch) continue;
         bindings.push_back(gpu::sampled_image(binding::first_derived_map + static_cast<std::uint32_t>(i),
                                               maps_[i]->texture.view, maps_[i]->sampler,
                                               vk::ImageLayout::eShaderReadOnlyOptimal));
     }
->>>>>>> a05bc10 (Preparation that takes long runs in slices, is limited, and is kept on disk)
     return bindings;
 }
 

@@ -39,7 +39,7 @@ std::uint32_t groups(std::uint32_t texels) {
 
 CompiledPass compile(const gpu::Device& device, const Technique& technique, const PassDeclaration& declaration,
                      const ParameterValues& parameters) {
-    CompiledPass pass{&declaration, compile_pass(device, technique, declaration), {}};
+    CompiledPass pass{&declaration, compile_pass(device, technique, parameters, declaration), {}};
     const std::set<std::uint32_t> used = gpu::used_constants(*pass.shader.code);
     for (const auto& [id, value] : parameter_constants(technique.manifest, parameters)) {
         if (used.contains(id)) pass.constants.emplace(id, value);

@@ -144,13 +144,13 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
     const bool probed = variant == Variant::probed;
     std::string preamble = probed ? "#define RELIEFBENCH_PROBED 1\n" : "";
     if (indexes_scene(device)) preamble += "#define RELIEFBENCH_INDEXED_SCENE 1\n";
-<<<<<<< HEAD
     if (marches(manifest.kind)) preamble += "#define RELIEFBENCH_OWN_MARCH 1\n";
     if (depth_write != DepthWrite::off) preamble += "#define RELIEFBENCH_WRITE_DEPTH 1\n";
     if (depth_write == DepthWrite::conservative) preamble += "#define RELIEFBENCH_CONSERVATIVE_DEPTH 1\n";
     preamble += declare_parameters(manifest, parameters);
-    for (std::size_t i = 0; i < manifest.maps.size(); ++i)
-        preamble += declare_map(manifest.maps[i], i);
+    for (std::size_t i = 0; i < manifest.maps.size(); ++i) {
+        if (!manifest.maps[i].scratch) preamble += declare_map(manifest.maps[i], i);
+    }
     std::string key = fmt::format("{} {}{}", probed ? "probed" : "timed", static_cast<int>(depth_write),
                                   compile_time_key(manifest, parameters));
     if (manifest.shape.kind == Shape::Kind::patches) {
@@ -158,11 +158,6 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
             fmt::format("const int patch_corners = {};\n", manifest.shape.patch_corners(parameters));
         preamble += corners;
         key += corners;
-=======
-    preamble += declare_parameters(manifest);
-    for (std::size_t i = 0; i < manifest.maps.size(); ++i) {
-        if (!manifest.maps[i].scratch) preamble += declare_map(manifest.maps[i], i);
->>>>>>> a05bc10 (Preparation that takes long runs in slices, is limited, and is kept on disk)
     }
 
     std::vector<gpu::CompiledStage> stages;

@@ -86,7 +86,8 @@ struct PreparationProgress {
     std::string pass;
     /// Of the pass, in [0, 1].
     double fraction = 0;
-    double remaining_s = 0;
+    /// Negative where nothing is known: later slices cost less than earlier ones.
+    double remaining_s = -1;
 };
 
 struct PreparationSettings {

@@ -148,7 +148,7 @@ void check_picture(CheckList& list, const ParameterValues& parameters, const Cir
     const bool drawn = list.check("timed and probed agree", text, [&] {
         Renderer renderer(list.device(), list.technique(), parameters, scene.on_device, where.view,
                           coordinate_lighting());
-        renderer.prepare();
+        renderer.prepare(list.preparation());
         timed = renderer.draw_timed(ColourTarget::linear_float);
         probe = renderer.probe();
         return compare_pictures(timed, probe, scene.map, bit_for_bit);
@@ -184,7 +184,6 @@ bool check_compiles(CheckList& list) {
 }
 
 void check_pictures(CheckList& list) {
-<<<<<<< HEAD
     const std::vector<Circumstance> circumstances = picture_circumstances();
     const std::vector<ParameterValues> all = variants(list.manifest());
     for (const Circumstance& where : circumstances)
@@ -192,28 +191,6 @@ void check_pictures(CheckList& list) {
     // The others in one each, in turn: there are many, and what they share with the defaults has been seen.
     for (std::size_t i = 1; i < all.size(); ++i)
         check_picture(list, all[i], circumstances[i % circumstances.size()]);
-=======
-    const bool bit_for_bit = list.device().info().type == gpu::DeviceType::cpu;
-    for (const ParameterValues& parameters : variants(list.manifest())) {
-        for (const Circumstance& where : picture_circumstances()) {
-            const std::string text = describe(parameters, list.manifest()) + "; " + describe(where);
-            TimedPicture timed;
-            Probe probe;
-            const CoordinateScene& scene = list.scenes().get(where.map, where.map_size);
-            const bool drawn = list.check("timed and probed agree", text, [&] {
-                Renderer renderer(list.device(), list.technique(), parameters, scene.on_device, where.view,
-                                  coordinate_lighting());
-                renderer.prepare(list.preparation());
-                timed = renderer.draw_timed(ColourTarget::linear_float);
-                probe = renderer.probe();
-                return compare_pictures(timed, probe, scene.map, bit_for_bit);
-            });
-            if (drawn)
-                list.check("hits are in range", text,
-                           [&] { return check_hits(timed, probe, where.view, range_tolerance(list.manifest())); });
-        }
-    }
->>>>>>> a05bc10 (Preparation that takes long runs in slices, is limited, and is kept on disk)
 }
 
 void check_polygon(CheckList& list) {

@@ -115,7 +115,7 @@ TEST(Manifest, DepthIsANumberOrAParameter) {
 }
 
 TEST(Manifest, PassesMayBeConditionalAndSliced) {
-    Json json = with("/passes/2/when", parse_json(R"({"leaf": ["exact"], "adaptive": [true, false]})", "test"));
+    Json json = with("/passes/2/only_with", parse_json(R"({"leaf": ["exact"], "adaptive": [true, false]})", "test"));
     json["passes"][2]["sliced"] = parse_json(R"({"iterations": 5, "ends_early": true})", "test");
     json["maps"][1]["scratch"] = true;
     const Manifest manifest = parse(json);
@@ -125,10 +125,10 @@ TEST(Manifest, PassesMayBeConditionalAndSliced) {
     EXPECT_TRUE(manifest.passes[2].sliced->ends_early);
     EXPECT_FALSE(manifest.passes[0].sliced);
     ParameterValues values = manifest.defaults();
-    EXPECT_TRUE(manifest.passes[2].runs_with(values));
+    EXPECT_TRUE(all_hold(manifest.passes[2].only_with, values));
     values["leaf"] = std::string("linear");
-    EXPECT_FALSE(manifest.passes[2].runs_with(values));
-    EXPECT_TRUE(manifest.passes[0].runs_with(values));
+    EXPECT_FALSE(all_hold(manifest.passes[2].only_with, values));
+    EXPECT_TRUE(all_hold(manifest.passes[0].only_with, values));
 }
 
 TEST(Manifest, PatchesNameTheirParameterAndNeedTessellation) {
@@ -215,10 +215,9 @@ TEST(Manifest, WhatIsWrongIsNamedWithItsPlace) {
         {"/passes/0/shader", "\"../other/leaves.glsl\"", "$.passes[0].shader: expected a file inside the technique's"},
         {"/passes/0/shader", "\"/etc/leaves.glsl\"", "$.passes[0].shader: expected a file inside the technique's"},
         {"/passes/0/shader", "\"\"", "$.passes[0].shader: expected a file inside the technique's"},
-        {"/passes/2/when", R"({"leav": ["exact"]})",
-         "$.passes[2].when.leav: no parameter 'leav' (did you mean 'leaf'?)"},
-        {"/passes/2/when", R"({"leaf": ["exat"]})", "$.passes[2].when.leaf[0]: leaf cannot be exat"},
-        {"/passes/2/when", R"({"leaf": []})", "$.passes[2].when.leaf: expected at least one value"},
+        {"/passes/2/only_with", R"({"leav": ["exact"]})", "$.passes[2].only_with.leav: no parameter 'leav'"},
+        {"/passes/2/only_with", R"({"leaf": ["exat"]})", "$.passes[2].only_with.leaf[0]: leaf cannot be exat"},
+        {"/passes/2/only_with", R"({"leaf": []})", "$.passes[2].only_with.leaf: expected at least one value"},
         {"/passes/0/sliced", "{}", "the map 'tree', which rounds them; give it a format of floats"},
         {"/passes/2/sliced", R"({"over": "columns"})", "$.passes[2].sliced.over: "},
         {"/passes/1/sliced", "{}", "$.passes[1].sliced: only a pass that writes the base"},

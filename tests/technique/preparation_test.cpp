@@ -192,12 +192,12 @@ Files counting_search(int iterations, bool ends_early = false) {
                            R"(, "maps": [{"name": "counts", "format": "r32f", "scratch": true},
                                          {"name": "result", "format": "r32f"}],
                                 "passes": [{"name": "count", "shader": "count.glsl", "writes": "counts",
-                                            "when": {"search": ["count"]},
+                                            "only_with": {"search": ["count"]},
                                             "sliced": {"iterations": )" +
                                std::to_string(iterations) + R"(, "ends_early": )" + (ends_early ? "true" : "false") +
                                R"(}},
                                            {"name": "constant", "shader": "constant.glsl", "writes": "counts",
-                                            "when": {"search": ["none"]}},
+                                            "only_with": {"search": ["none"]}},
                                            {"name": "finish", "shader": "finish.glsl", "writes": "result"}])")},
             {"count.glsl", R"(
                 void prepare(ivec2 texel) {
@@ -353,7 +353,7 @@ TEST_F(SlicedPreparation, AMapWithoutSomeOfItsLevelsIsAnError) {
                                           R"(, "maps": [{"name": "chain", "format": "r32f", "mip_chain": true}],
                              "passes": [{"name": "a", "shader": "p.glsl", "writes": "chain"},
                                         {"name": "b", "shader": "p.glsl", "writes": "chain", "levels": "above_base",
-                                         "when": {"deep": [true]}}])")},
+                                         "only_with": {"deep": [true]}}])")},
          {"p.glsl", "void prepare(ivec2 texel) { write_map(vec4(1.0)); }"},
          {"trace.glsl", flat_trace}});
     const Technique technique = folder.load();
