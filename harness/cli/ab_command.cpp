@@ -16,6 +16,7 @@
 #include "report/comparison_format.hpp"
 #include "store/line_file.hpp"
 #include "technique/baseline_sources.hpp"
+#include "technique/map_cache.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -109,6 +110,7 @@ std::function<void(const VariantVisit&)> keep_visits(std::optional<LineFile>& fi
 ExitCode compare_live(const AbOptions& options) {
     const double threshold = parse_threshold(options.threshold, "--threshold");
     VariantSettings settings;
+    settings.map_cache = map_cache_folder();
     settings.budget_s = parse_duration(options.budget, "--budget");
     options.output.check();
     const RunSources sources = read_run_sources(options.configuration, options.axes, options.filters, options.library);

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "measure/cell_preparation.hpp"
+#include "technique/map_cache.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -77,28 +78,25 @@ std::vector<const CellResult*> BenchCells::failed() const {
 
 std::optional<Renderer> BenchCells::make_renderer(std::size_t index) {
     const Cell& cell = (*cells_)[index];
-    const Technique& technique = library_->get(cell.technique);
-    std::string reason = cell.skip_reason;
-    if (reason.empty()) {
-        reason = unsupported_reason(*device_, technique, cell.parameters, cell.view.view,
-                                    inputs_.map(cell.view).map.heights.size);
-    }
-    if (!reason.empty()) {
+    PreparedOrSkipped prepared = cell.skip_reason.empty()
+                                     ? prepare_cell(*device_, library_->get(cell.technique), cell, inputs_,
+                                                    *configuration_, {.map_cache = map_cache_folder()})
+                                     : PreparedOrSkipped{std::nullopt, cell.skip_reason};
+    if (!prepared.cell) {
         CellResult& result = results_[index] = blank_result(cell);
         result.status = CellStatus::skipped;
-        result.reason = reason;
+        result.reason = prepared.skip_reason;
         return std::nullopt;
     }
-    PreparedCell prepared = prepare_cell(*device_, technique, cell, inputs_, *configuration_);
-    results_[index] = std::move(prepared.result);
-    return std::move(prepared.renderer);
+    results_[index] = std::move(prepared.cell->result);
+    return std::move(prepared.cell->renderer);
 }
 
 Renderer BenchCells::open_again(std::size_t index) {
     const Cell& cell = (*cells_)[index];
     Renderer renderer(*device_, library_->get(cell.technique), cell.parameters, inputs_.map(cell.view).scene,
                       cell.view.view, configuration_->lighting, configuration_->object);
-    renderer.prepare();
+    renderer.prepare({.cache = map_cache_folder()});
     return renderer;
 }
 

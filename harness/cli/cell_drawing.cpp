@@ -2,12 +2,15 @@
 
 #include "core/error.hpp"
 
+#include <utility>
+
 namespace reliefbench {
 
-CellDrawing::CellDrawing(const gpu::Device& device, const TechniqueLibrary& library, const Lighting& lighting,
-                         const std::optional<SceneObject>& object)
+CellDrawing::CellDrawing(const gpu::Device& device, const TechniqueLibrary& library, PreparationSettings preparation,
+                         const Lighting& lighting, const std::optional<SceneObject>& object)
     : device_(&device),
       library_(&library),
+      preparation_(std::move(preparation)),
       lighting_(lighting),
       object_(object),
       inputs_(device, lighting, TruthSettings{}, object) {}
@@ -21,7 +24,8 @@ Probe CellDrawing::probe(const Cell& cell) {
         unsupported_reason(*device_, technique, cell.parameters, view, loaded.map.heights.size);
     if (!unsupported.empty()) fail("{}: {}", cell.id, unsupported);
     Renderer renderer(*device_, technique, cell.parameters, loaded.scene, view, lighting_, object_);
-    renderer.prepare();
+    const std::string given_up = renderer.prepare(preparation_).given_up;
+    if (!given_up.empty()) fail("{}: {} (--preparation-limit SECONDS)", cell.id, given_up);
     return renderer.probe();
 }
 

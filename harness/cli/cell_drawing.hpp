@@ -15,12 +15,13 @@ namespace reliefbench {
 /// Draws cells outside runs: once each, untimed.
 class CellDrawing {
 public:
-    /// Device and library must outlive it.
-    CellDrawing(const gpu::Device& device, const TechniqueLibrary& library, const Lighting& lighting = {},
-                const std::optional<SceneObject>& object = std::nullopt);
+    /// Device and library must outlive it. `preparation`: of each cell's maps.
+    CellDrawing(const gpu::Device& device, const TechniqueLibrary& library, PreparationSettings preparation,
+                const Lighting& lighting = {}, const std::optional<SceneObject>& object = std::nullopt);
 
     const Manifest& manifest_of(const Cell& cell) const { return library_->get(cell.technique).manifest; }
-    /// An Error when the device does not support the cell, or a shader does not compile.
+    /// An Error when the device does not support the cell, its preparation would take longer than its limit, or a
+    /// shader does not compile.
     Probe probe(const Cell& cell);
     /// The parts are those of `probe` and of this object; its truth is valid until another view is drawn.
     DrawnCell beside_truth(const Cell& cell, const Probe& probe);
@@ -28,6 +29,7 @@ public:
 private:
     const gpu::Device* device_;
     const TechniqueLibrary* library_;
+    PreparationSettings preparation_;
     Lighting lighting_;
     std::optional<SceneObject> object_;
     SharedInputs inputs_;

@@ -1,15 +1,19 @@
 #include "cli/cell_drawing.hpp"
 #include "cli/command.hpp"
 #include "cli/contact_sheet.hpp"
+#include "cli/progress_printer.hpp"
 #include "cli/render_options.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "measure/cell_figures.hpp"
+#include "measure/cell_preparation.hpp"
+#include "measure/clock.hpp"
 #include "measure/pictures.hpp"
 #include "measure/shared_inputs.hpp"
 #include "metrics/shadow_errors.hpp"
 #include "metrics/wrong_surface.hpp"
 #include "scene/image_file.hpp"
+#include "technique/map_cache.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -121,6 +125,14 @@ void draw_cell(const RenderOptions& options, OutputKind kind, const Cell& cell, 
     print_summary(cell, drawn, lighting);
 }
 
+/// Told on a line that the next message takes the place of.
+void tell(const PreparationProgress& progress, ProgressPrinter& printer, double start_s) {
+    printer({.cells_total = 1,
+             .current = describe(progress),
+             .elapsed_s = steady_clock().seconds() - start_s,
+             .remaining_s = progress.remaining_s});
+}
+
 ExitCode render(const RenderOptions& options) {
     const OutputKind kind = check_output(options.output);
     shown_by(options);
@@ -134,7 +146,15 @@ ExitCode render(const RenderOptions& options) {
     const std::optional<SceneObject> object = object_of(options);
     warn_of_constant_maps(cells);
     const gpu::Device device(options.device.options);
-    CellDrawing drawing(device, library, lighting, object);
+    ProgressPrinter printer;
+    const auto on_progress = [&printer, start_s = steady_clock().seconds()](const PreparationProgress& progress) {
+        tell(progress, printer, start_s);
+    };
+    CellDrawing drawing(device, library,
+                        {.limit_s = options.preparation.limit_s.value_or(PreparationLimit{}.limit_s),
+                         .cache = map_cache_folder(),
+                         .on_progress = on_progress},
+                        lighting, object);
     ExitCode code = ExitCode::done;
     if (options.contact_sheet) {
         code = draw_contact_sheet(options, cells, drawing);
@@ -184,6 +204,7 @@ void add_render_command(CLI::App& app, ChosenCommand& chosen) {
         ->type_name("FILE");
     options->library.add_to(*command);
     options->device.add_to(*command);
+    options->preparation.add_to(*command);
     command->footer(
         ".png: what --show lists, from left to right. Maps are in the colours of magma, with their legend; blue: "
         "missed\n"

@@ -29,6 +29,7 @@ struct RenderOptions {
     std::string output;
     TechniqueOptions library;
     DeviceChoice device;
+    PreparationOptions preparation;
 };
 
 /// What --show asks for, in its order.

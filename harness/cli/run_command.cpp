@@ -20,6 +20,7 @@
 #include "report/run_format.hpp"
 #include "store/resume.hpp"
 #include "store/run_folder.hpp"
+#include "technique/map_cache.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -50,6 +51,7 @@ struct RunOptions {
     ColourChoice colour;
     TechniqueOptions library;
     DeviceChoice device;
+    PreparationOptions preparation;
     std::vector<std::string> command_line;
 };
 
@@ -172,6 +174,7 @@ ExitCode run(const RunOptions& options) {
     RunSources sources = read_run_sources(options.configuration, options.axes, options.filters, options.library);
     const std::optional<Shard> shard = chosen_shard(options.shard, read_json_file(options.configuration));
     if (shard) sources.cells = cells_of_shard(sources.cells, *shard);
+    if (options.preparation.limit_s) set_preparation_limit(sources.configuration, *options.preparation.limit_s);
     if (options.dry_run) return print_plan(sources.cells);
 
     const std::vector<HeightMapRecord> maps = inspect_height_maps(sources.cells);
@@ -197,9 +200,10 @@ ExitCode run(const RunOptions& options) {
         ProgressPrinter printer;
         outcome = run_cells(device, sources.library, sources.configuration, sources.cells, writer,
                             [&printer](const Progress& progress) { printer(progress); }, steady_clock(),
-                            {.in_flight = {}, .earlier = std::move(opened.earlier), .is_interrupted = [&watch] {
-                                 return watch.signal() != 0;
-                             }});
+                            {.in_flight = {},
+                             .map_cache = map_cache_folder(),
+                             .earlier = std::move(opened.earlier),
+                             .is_interrupted = [&watch] { return watch.signal() != 0; }});
     }
     outcome.split.total_s = steady_clock().seconds() - start_s;
     const Json& empty_pass = record.at("empty_pass");
@@ -264,6 +268,7 @@ void add_run_command(CLI::App& app, ChosenCommand& chosen, const std::vector<std
     command->add_flag("--dry-run", options->dry_run, "Print blocks and cells; measure and write nothing");
     options->library.add_to(*command);
     options->device.add_to(*command);
+    options->preparation.add_to(*command);
     command->footer(
         "The table goes to standard output, progress to standard error. Exit code 4 when some cells failed.\n"
         "Ctrl-C (or SIGTERM) finishes the visit at hand, shows the cells that are finished and says how to go on; the\n"

@@ -22,6 +22,7 @@
 #include "report/text_layout.hpp"
 #include "store/noise_record.hpp"
 #include "store/run_folder.hpp"
+#include "technique/map_cache.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -226,6 +227,7 @@ ExitCode selfcheck(SelfcheckOptions options) {
     record.configuration = sources.configuration.name;
     Comparison comparison;
     VariantSettings settings;
+    settings.map_cache = map_cache_folder();
     settings.budget_s = share_within * budget_s;
     settings.seed = sources.configuration.seed;
     ExitCode code = ExitCode::done;

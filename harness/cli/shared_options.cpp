@@ -30,6 +30,15 @@ void DeviceChoice::add_to(CLI::App& command) {
                      "Turn the Vulkan validation layer on; one message makes the command fail");
 }
 
+void PreparationOptions::add_to(CLI::App& command) {
+    command
+        .add_option("--preparation-limit", limit_s,
+                    "Skip what would take longer to prepare than so many seconds on the device; "
+                    "default: the configuration's preparation.limit_s, else 60")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("SECONDS");
+}
+
 ExitCode check_validation(const gpu::Device& device) {
     const std::vector<std::string> messages = device.validation_messages();
     for (const std::string& message : messages) {

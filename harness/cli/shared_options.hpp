@@ -4,6 +4,7 @@
 #include "gpu/device.hpp"
 #include "technique/technique.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,13 @@ struct TechniqueOptions {
 /// Which device, and whether the validation layer watches.
 struct DeviceChoice {
     gpu::DeviceOptions options;
+
+    void add_to(CLI::App& command);
+};
+
+/// What making derived maps may cost, in place of the configuration's preparation.limit_s.
+struct PreparationOptions {
+    std::optional<double> limit_s;
 
     void add_to(CLI::App& command);
 };

@@ -1,5 +1,6 @@
 #include "cli/command.hpp"
 #include "cli/shared_options.hpp"
+#include "technique/map_cache.hpp"
 #include "verify/conformance.hpp"
 
 #include <CLI/CLI.hpp>
@@ -51,7 +52,7 @@ ExitCode verify(const VerifyOptions& options) {
         }
     }
     for (const Technique& technique : selected) {
-        verify_technique(device, technique, on_check);
+        verify_technique(device, technique, on_check, {.cache = map_cache_folder()});
     }
     fmt::print("{} of {} checks passed on {}\n", checks - failures, checks, device.info().name);
     return graver(failures > 0 ? ExitCode::cells_failed : ExitCode::done, check_validation(device));

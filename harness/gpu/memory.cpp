@@ -123,6 +123,7 @@ std::uint32_t texel_bytes(vk::Format format) {
         case vk::Format::eR32Sfloat:
         case vk::Format::eD32Sfloat:
         case vk::Format::eR8G8B8A8Unorm:
+        case vk::Format::eR16G16Unorm:
             return 4;
         case vk::Format::eR32G32Sfloat:
         case vk::Format::eR16G16B16A16Unorm:
@@ -155,6 +156,28 @@ void upload_texture(const Device& device, const Texture& texture, std::span<cons
         change_layout(commands, *texture.image, texture.all(), vk::ImageLayout::eTransferDstOptimal,
                       vk::ImageLayout::eShaderReadOnlyOptimal);
     });
+}
+
+bool upload_levels(const Device& device, const Texture& texture, std::span<const std::vector<std::byte>> levels) {
+    if (levels.size() != texture.levels) return false;
+    for (std::uint32_t level = 0; level < texture.levels; ++level) {
+        const vk::Extent2D size = texture.level_extent(level);
+        const std::size_t texels = std::size_t{size.width} * size.height * std::max(texture.slices, 1u);
+        if (levels[level].size() != texels * texel_bytes(texture.format)) return false;
+    }
+    std::vector<Buffer> staging;
+    for (const std::vector<std::byte>& level : levels)
+        staging.push_back(make_filled_buffer(device, vk::BufferUsageFlagBits::eTransferSrc, level));
+    submit_and_wait(device, "upload a texture", [&](const vk::raii::CommandBuffer& commands) {
+        change_layout(commands, *texture.image, texture.all(), vk::ImageLayout::eUndefined,
+                      vk::ImageLayout::eTransferDstOptimal);
+        for (std::uint32_t level = 0; level < texture.levels; ++level)
+            commands.copyBufferToImage(*staging[level].buffer, *texture.image, vk::ImageLayout::eTransferDstOptimal,
+                                       whole_level(texture, level));
+        change_layout(commands, *texture.image, texture.all(), vk::ImageLayout::eTransferDstOptimal,
+                      vk::ImageLayout::eShaderReadOnlyOptimal);
+    });
+    return true;
 }
 
 std::vector<std::byte> read_texture(const Device& device, const Texture& texture, std::uint32_t level,

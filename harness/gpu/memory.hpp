@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace reliefbench::gpu {
 
@@ -51,6 +52,10 @@ std::uint32_t texel_bytes(vk::Format format);
 
 /// Fills level 0, row 0 first, and leaves the image ready for sampling (eShaderReadOnlyOptimal).
 void upload_texture(const Device& device, const Texture& texture, std::span<const std::byte> texels);
+
+/// All levels, each as read_texture gives it, and leaves the image as upload_texture does. False, and nothing done,
+/// where their number or their sizes are not the texture's.
+bool upload_levels(const Device& device, const Texture& texture, std::span<const std::vector<std::byte>> levels);
 
 /// One level, tightly packed, slice after slice. `layout` is the layout that the image is in, and stays in.
 std::vector<std::byte> read_texture(const Device& device, const Texture& texture, std::uint32_t level,

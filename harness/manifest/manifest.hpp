@@ -41,15 +41,17 @@ struct MapDeclaration {
         next_power_of_two,
     };
     std::string name;
-    /// "r8", "r16", "r32f", "rg32f", "rgba8", "rgba16", "rgba32f".
+    /// "r8", "r16", "rg16", "r32f", "rg32f", "rgba8", "rgba16", "rgba32f".
     std::string format;
     Size size = Size::height_map;
     /// Down to 1×1 when true, else one level.
     bool mip_chain = false;
     /// Hardware filtering between texels; otherwise nearest.
     bool linear_filter = false;
-    /// All must hold, or the map is idle: neither made nor counted, and the height map is bound in its place.
+    /// All must hold, or the map is idle: neither made nor counted, and a single texel is bound in its place.
     std::vector<ParameterCondition> only_with;
+    /// For later passes only: no draw sees it, and it is freed when the others are made.
+    bool scratch = false;
     /// How many slices a three-dimensional map has, over the height from 0 to 1: a number, or the integer parameter
     /// that has it. Neither: the map has two dimensions.
     int depth = 0;
@@ -58,6 +60,21 @@ struct MapDeclaration {
     bool is_volume() const { return depth > 0 || depth_parameter.has_value(); }
     /// 0 for a map of two dimensions.
     int slices(const ParameterValues& values) const;
+};
+
+/// How a pass that takes long is cut into dispatches.
+struct Slicing {
+    enum class Over {
+        /// Its search over the texels of the height map: each dispatch folds what it finds into the map.
+        sources,
+        /// The rows that it writes.
+        rows,
+    };
+    Over over = Over::sources;
+    /// The most loop iterations that an invocation spends on one texel searched, or on the one that it writes.
+    int iterations = 1;
+    /// Later slices cost less than earlier ones: what the first took says little about the rest.
+    bool ends_early = false;
 };
 
 /// A compute pass of the preparation. Runs once for each level that it covers, in the order of the manifest.
@@ -71,6 +88,9 @@ struct PassDeclaration {
     /// The map that it writes.
     std::string writes;
     Levels levels = Levels::base;
+    /// All must hold, or it does not run.
+    std::vector<ParameterCondition> only_with = {};
+    std::optional<Slicing> sliced = {};
 };
 
 /// How the technique draws.

@@ -15,15 +15,18 @@ namespace {
 
 /// What every Vulkan device must offer is 256; no device has more than this.
 constexpr std::int64_t most_slices = 16384;
+/// Some devices end all loops of an invocation together after 65,535.
+constexpr std::int64_t most_slice_iterations = 32768;
 
 /// The enumerators' words, in the order of the enumeration.
 const std::vector<std::string> promises{"first_hit", "order_1", "order_2", "conservative"};
 const std::vector<std::string> map_sizes{"height_map", "next_power_of_two"};
 const std::vector<std::string> pass_levels{"base", "above_base"};
+const std::vector<std::string> slicings{"sources", "rows"};
 
 const std::vector<std::string> kinds = words("texture parallax march hierarchy cone geometry");
 const std::vector<std::string> known_features{"tessellationShader"};
-const std::vector<std::string> map_formats{"r8", "r16", "r32f", "rg32f", "rgba8", "rgba16", "rgba32f"};
+const std::vector<std::string> map_formats{"r8", "r16", "rg16", "r32f", "rg32f", "rgba8", "rgba16", "rgba32f"};
 
 std::string parameter_names(const Manifest& manifest, const std::string& word) {
     std::vector<std::string> names;
@@ -66,7 +69,7 @@ void parse_depth(const JsonView& view, const Manifest& manifest, MapDeclaration&
 }
 
 MapDeclaration parse_map(const JsonView& view, const Manifest& manifest, GlslNames& names) {
-    view.require_only({"name", "format", "size", "mip_chain", "linear_filter", "depth", "only_with"});
+    view.require_only({"name", "format", "size", "mip_chain", "linear_filter", "depth", "only_with", "scratch"});
     MapDeclaration map;
     names.add_checked(view.at("name"));
     map.name = view.at("name").string();
@@ -79,6 +82,7 @@ MapDeclaration parse_map(const JsonView& view, const Manifest& manifest, GlslNam
         if (map.is_volume()) view.at("only_with").fail_here("a map of three dimensions cannot be idle");
         map.only_with = parse_conditions(view.at("only_with"), manifest.parameters);
     }
+    if (view.has("scratch")) map.scratch = view.at("scratch").boolean();
     return map;
 }
 
@@ -95,8 +99,26 @@ struct Written {
     bool above_base = false;
 };
 
+/// Partial results are folded in the map itself, which must not round them.
+Slicing parse_slicing(const JsonView& view, const PassDeclaration& pass, const MapDeclaration& map) {
+    view.require_only({"over", "iterations", "ends_early"});
+    if (pass.levels != PassDeclaration::Levels::base)
+        view.fail_here("only a pass that writes the base is cut into slices");
+    Slicing slicing;
+    if (view.has("over")) slicing.over = static_cast<Slicing::Over>(view.at("over").choice(slicings));
+    if (slicing.over == Slicing::Over::sources && !map.format.ends_with("32f")) {
+        view.fail_here(fmt::format(
+            "slices fold their results in the map '{}', which rounds them; give it a format of floats", map.name));
+    }
+    if (view.has("iterations")) {
+        slicing.iterations = static_cast<int>(view.at("iterations").integer(1, most_slice_iterations));
+    }
+    if (view.has("ends_early")) slicing.ends_early = view.at("ends_early").boolean();
+    return slicing;
+}
+
 PassDeclaration parse_pass(const JsonView& view, const Manifest& manifest, std::map<std::string, Written>& written) {
-    view.require_only({"name", "shader", "writes", "levels"});
+    view.require_only({"name", "shader", "writes", "levels", "only_with", "sliced"});
     PassDeclaration pass;
     pass.name = parse_line(view.at("name"));
     if (std::ranges::find(manifest.passes, pass.name, &PassDeclaration::name) != manifest.passes.end()) {
@@ -114,6 +136,8 @@ PassDeclaration parse_pass(const JsonView& view, const Manifest& manifest, std::
         view.at("writes").fail_here(
             fmt::format("no map '{}' is declared{}", pass.writes, did_you_mean(pass.writes, names)));
     }
+    if (view.has("only_with")) pass.only_with = parse_conditions(view.at("only_with"), manifest.parameters);
+    if (view.has("sliced")) pass.sliced = parse_slicing(view.at("sliced"), pass, *map);
     Written& state = written[pass.writes];
     if (pass.levels == PassDeclaration::Levels::base) {
         state.base = true;

@@ -33,7 +33,8 @@ const std::vector<std::string> functions = words(
 const std::vector<std::string> contract = words(
     "trace prepare ray uv hit_on_ray hit_off_ray miss unconverged trace_miss trace_on_ray trace_off_ray "
     "tap_height tap_height_texel tap_height_cell tap_map tap_map_texel height_map height_map_size previous_level "
-    "previous_size write_map level map_size corner emit_surface derivatives albedo view lighting shade technique");
+    "previous_size write_map level map_size slice_begin slice_end folded_map corner emit_surface derivatives albedo "
+    "view lighting shade technique");
 
 // The axes of a view (harness/sweep), which share one namespace with parameters on the command line.
 const std::vector<std::string> axes = words(

@@ -6,6 +6,8 @@
 #include "metrics/shadow_errors.hpp"
 #include "metrics/wrong_surface.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -16,16 +18,24 @@ namespace {
 /// A preparation that takes long is timed less often, so that a block's length stays in bounds.
 constexpr double preparation_budget_ms = 2000;
 
-/// The first run compiles in the driver: it counts only when there is no time for another.
-Preparation time_preparation(Renderer& renderer, const SamplingSettings& sampling) {
-    Preparation first = renderer.prepare();
+/// The first run compiles in the driver: it counts only when there is no time for another. What takes little is made
+/// again though it was kept, for its times.
+Preparation time_preparation(Renderer& renderer, const Configuration& configuration,
+                             const LongPreparation& long_preparation) {
+    const SamplingSettings& sampling = configuration.sampling;
+    PreparationSettings settings{.limit_s = configuration.preparation.limit_s,
+                                 .cache = long_preparation.map_cache,
+                                 .on_progress = long_preparation.on_progress};
+    Preparation first = renderer.prepare(settings);
     const double first_ms = preparation_ms(first);
-    if (first.pass_ms.empty() || first_ms > preparation_budget_ms) {
+    if (first.pass_ms.empty() || !first.given_up.empty() || first_ms > preparation_budget_ms) {
         return first;
     }
     const int most = std::max(1, sampling.rounds * sampling.samples_per_visit);
     const double affordable = first_ms > 0 ? preparation_budget_ms / first_ms : most;
-    return renderer.prepare(static_cast<int>(std::clamp(affordable, 1.0, static_cast<double>(most))));
+    settings.samples = static_cast<int>(std::clamp(affordable, 1.0, static_cast<double>(most)));
+    settings.take_kept = false;
+    return renderer.prepare(settings);
 }
 
 }  // namespace
@@ -39,13 +49,24 @@ CellResult blank_result(const Cell& cell) {
     return result;
 }
 
-PreparedCell prepare_cell(const gpu::Device& device, const Technique& technique, const Cell& cell, SharedInputs& inputs,
-                          const Configuration& configuration) {
+std::string describe(const PreparationProgress& progress) {
+    std::string text = fmt::format("preparing ({}) {:.0f} %", progress.pass, 100 * progress.fraction);
+    if (progress.remaining_s >= 0) text += fmt::format(", {:.0f} s left", progress.remaining_s);
+    return text;
+}
+
+PreparedOrSkipped prepare_cell(const gpu::Device& device, const Technique& technique, const Cell& cell,
+                               SharedInputs& inputs, const Configuration& configuration,
+                               const LongPreparation& long_preparation) {
     const LoadedMap& loaded = inputs.map(cell.view);
     const View& view = cell.view.view;
+    const std::string unsupported =
+        unsupported_reason(device, technique, cell.parameters, view, loaded.map.heights.size);
+    if (!unsupported.empty()) return {std::nullopt, unsupported};
     Renderer renderer(device, technique, cell.parameters, loaded.scene, view, configuration.lighting,
                       configuration.object);
-    Preparation preparation = time_preparation(renderer, configuration.sampling);
+    Preparation preparation = time_preparation(renderer, configuration, long_preparation);
+    if (!preparation.given_up.empty()) return {std::nullopt, preparation.given_up};
     Probe probe = renderer.probe();
 
     CellResult result = blank_result(cell);
@@ -73,7 +94,7 @@ PreparedCell prepare_cell(const gpu::Device& device, const Technique& technique,
     }
     if (truth.front) result.error->wrong_surface = wrong_surface(*probe.front, *truth.front, truth.footprint);
     result.image = to_image_fields(compare_images(probe.colour, probe.hits, truth.colour, truth.hits));
-    return {std::move(renderer), std::move(result), std::move(preparation), std::move(probe)};
+    return {PreparedCell{std::move(renderer), std::move(result), std::move(preparation), std::move(probe)}, {}};
 }
 
 }  // namespace reliefbench

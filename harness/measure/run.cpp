@@ -71,6 +71,7 @@ public:
           earlier_(options.earlier),
           is_interrupted_(options.is_interrupted),
           start_s_(clock.seconds()),
+          map_cache_(options.map_cache),
           in_flight_(options.in_flight.value_or(device.info().type == gpu::DeviceType::cpu ? 1 : 2)),
           device_state_(gpu::open_device_state(device)),
           recent_state_(*device_state_, clock),
@@ -182,21 +183,19 @@ private:
     std::optional<ReadyCell> make_ready(std::size_t index) {
         const Cell& cell = cells_[index];
         report(cell.id);
-        std::string reason;
+        const LongPreparation long_preparation{
+            map_cache_, [&](const PreparationProgress& progress) { report(cell.id + ": " + describe(progress)); }};
         std::optional<PreparedCell> prepared;
         try {
-            const Technique& technique = library_.get(cell.technique);
-            const Resolution map_size = inputs_.map(cell.view).map.heights.size;
-            reason = unsupported_reason(device_, technique, cell.parameters, cell.view.view, map_size);
-            if (reason.empty()) {
-                prepared.emplace(prepare_cell(device_, technique, cell, inputs_, configuration_));
+            PreparedOrSkipped outcome =
+                prepare_cell(device_, library_.get(cell.technique), cell, inputs_, configuration_, long_preparation);
+            if (!outcome.cell) {
+                finish_without_timing(index, CellStatus::skipped, outcome.skip_reason);
+                return std::nullopt;
             }
+            prepared.emplace(std::move(*outcome.cell));
         } catch (const Error& error) {
             finish_without_timing(index, CellStatus::failed, error.what());
-            return std::nullopt;
-        }
-        if (!prepared) {
-            finish_without_timing(index, CellStatus::skipped, reason);
             return std::nullopt;
         }
         for (const auto& [pass, samples] : prepared->preparation.pass_ms) {
@@ -363,6 +362,7 @@ private:
     const EarlierWork& earlier_;
     const std::function<bool()>& is_interrupted_;
     double start_s_;
+    std::filesystem::path map_cache_;
     std::size_t in_flight_;
     std::unique_ptr<gpu::DeviceStateSource> device_state_;
     RecentState recent_state_;

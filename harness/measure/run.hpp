@@ -8,6 +8,7 @@
 #include "technique/technique.hpp"
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -44,7 +45,9 @@ struct TimeSplit {
 struct MeasureOptions {
     /// Visits that the device may have at once; empty: one on a CPU device, where the host's work would take processors
     /// away from the samples, else two.
-    std::optional<std::size_t> in_flight;
+    std::optional<std::size_t> in_flight = {};
+    /// Where derived maps that take long to make are kept (technique/map_cache.hpp); empty: nowhere.
+    std::filesystem::path map_cache = {};
     /// Of an interrupted execution of the same cells: finished ones stay as they are, the others go on with the rounds
     /// they have.
     EarlierWork earlier = {};

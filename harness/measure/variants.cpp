@@ -173,12 +173,14 @@ private:
 
     std::optional<PreparedCell> prepare(const Technique& technique, const Cell& cell, std::string& reason) {
         try {
-            const Resolution map_size = inputs_.map(cell.view).map.heights.size;
-            reason = unsupported_reason(device_, technique, cell.parameters, cell.view.view, map_size);
-            if (!reason.empty()) return std::nullopt;
-            PreparedCell prepared = prepare_cell(device_, technique, cell, inputs_, configuration_);
-            prepared.probe = Probe{};
-            return prepared;
+            const LongPreparation long_preparation{settings_.map_cache, [&](const PreparationProgress& progress) {
+                                                       report(cell.id + ": " + describe(progress));
+                                                   }};
+            PreparedOrSkipped prepared =
+                prepare_cell(device_, technique, cell, inputs_, configuration_, long_preparation);
+            reason = prepared.skip_reason;
+            if (prepared.cell) prepared.cell->probe = Probe{};
+            return std::move(prepared.cell);
         } catch (const Error& error) {
             reason = error.what();
             return std::nullopt;

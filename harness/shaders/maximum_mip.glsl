@@ -17,6 +17,11 @@ float cell_maximum(ivec2 cell) {
     return max(max(corners.x, corners.y), max(corners.z, corners.w));
 }
 
+// Level 0 of a chain over texels in place of cells.
+float texel_maximum(ivec2 texel) {
+    return all(lessThan(texel, height_map_size())) ? tap_height_texel(texel) : 0.0;
+}
+
 #ifdef RELIEFBENCH_ABOVE_BASE
 // Each further level: the highest of the four nodes beneath. Sides are powers of two, so nothing is left over.
 float node_maximum(ivec2 node) {

@@ -4,12 +4,15 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(push_constant) uniform PassLevel {
+layout(push_constant) uniform PassRange {
     int level;
+    int slice_begin;
+    int slice_end;
+    int first_row;  // of the level, in this dispatch
 }
-pass_level;
+pass_range;
 
-int level() { return pass_level.level; }
+int level() { return pass_range.level; }
 
 #ifdef RELIEFBENCH_VOLUME
 #define RELIEFBENCH_TEXEL ivec3
@@ -22,7 +25,20 @@ RELIEFBENCH_TEXEL map_size() { return imageSize(target_map); }
 
 void write_map_at(RELIEFBENCH_TEXEL texel, vec4 value) { imageStore(target_map, texel, value); }
 
-void write_map(vec4 value) { write_map_at(RELIEFBENCH_TEXEL(gl_GlobalInvocationID), value); }
+RELIEFBENCH_TEXEL this_texel() {
+    return RELIEFBENCH_TEXEL(ivec3(gl_GlobalInvocationID) + ivec3(0, pass_range.first_row, 0));
+}
+
+void write_map(vec4 value) { write_map_at(this_texel(), value); }
+
+#ifdef RELIEFBENCH_FOLDS
+// The texels of the height map that this dispatch searches, numbered row by row from 0: [slice_begin, slice_end).
+int slice_begin() { return pass_range.slice_begin; }
+int slice_end() { return pass_range.slice_end; }
+
+// What the slices before wrote to this texel; undefined in the first, whose slice_begin() is 0.
+vec4 folded_map() { return imageLoad(target_map, this_texel()); }
+#endif
 
 #ifdef RELIEFBENCH_ABOVE_BASE
 layout(set = 0, binding = 7) uniform sampler2D previous_map;
@@ -37,6 +53,6 @@ vec4 previous_level(ivec2 texel) { return texelFetch(previous_map, clamp(texel, 
 #include "pass.glsl"
 
 void main() {
-    RELIEFBENCH_TEXEL texel = RELIEFBENCH_TEXEL(gl_GlobalInvocationID);
+    RELIEFBENCH_TEXEL texel = this_texel();
     if (all(lessThan(texel, map_size()))) prepare(texel);
 }

@@ -67,6 +67,12 @@ struct MotionSettings {
 /// Of frame 0, 1, ....
 Camera camera_in_motion(const Camera& camera, const MotionSettings& motion, int frame);
 
+/// What making a technique's derived maps may cost.
+struct PreparationLimit {
+    /// A cell whose maps would take longer, in seconds on the device, is skipped with the estimated time.
+    double limit_s = 60;
+};
+
 /// Where something was set, for messages: a file and a JSON path, or a command line argument and its name.
 struct Origin {
     std::string file = "configuration";
@@ -99,6 +105,7 @@ struct Configuration {
     std::uint64_t seed = 1;
     TruthSettings truth;
     SamplingSettings sampling;
+    PreparationLimit preparation;
     Lighting lighting;
     /// Stands in the relief.
     std::optional<SceneObject> object;
@@ -121,6 +128,9 @@ Configuration read_configuration(const std::filesystem::path& path, const std::v
 
 Configuration parse_configuration(const Json& json, const std::string& file, const std::vector<std::string>& overrides,
                                   const std::vector<Manifest>& techniques);
+
+/// Also in what is written to run.json.
+void set_preparation_limit(Configuration& configuration, double limit_s);
 
 /// Product of the axes (zipped ones together) × techniques × their parameter values; excluded cells dropped.
 /// Order: views outermost, so that cells of one view are neighbours. Errors: a technique, axis or value unknown to

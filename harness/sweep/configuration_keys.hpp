@@ -12,6 +12,7 @@ const std::vector<std::string>& top();
 const std::vector<std::string>& technique();
 const std::vector<std::string>& truth();
 const std::vector<std::string>& sampling();
+const std::vector<std::string>& preparation();
 const std::vector<std::string>& lighting();
 const std::vector<std::string>& light();
 const std::vector<std::string>& fog();

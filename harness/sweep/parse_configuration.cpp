@@ -96,6 +96,7 @@ Configuration read(const JsonView& view, const ManifestIndex& manifests) {
     if (view.has("seed")) configuration.seed = static_cast<std::uint64_t>(view.at("seed").integer(0));
     if (view.has("truth")) configuration.truth = read_truth(view.at("truth"));
     if (view.has("sampling")) configuration.sampling = read_sampling(view.at("sampling"));
+    if (view.has("preparation")) configuration.preparation = read_preparation(view.at("preparation"));
     if (view.has("lighting")) configuration.lighting = read_lighting(view.at("lighting"));
     if (view.has("object")) configuration.object = read_object(view.at("object"));
     if (view.has("images")) configuration.images = view.at("images").boolean();
@@ -192,6 +193,7 @@ Json expanded_json(const Configuration& configuration) {
     json["seed"] = configuration.seed;
     json["truth"] = to_json(configuration.truth);
     json["sampling"] = to_json(configuration.sampling);
+    json["preparation"] = to_json(configuration.preparation);
     json["lighting"] = to_json(configuration.lighting);
     if (configuration.object) json["object"] = to_json(*configuration.object);
     json["images"] = configuration.images;
@@ -217,9 +219,9 @@ void warn_of_sizes_of_files(const Configuration& configuration) {
 namespace configuration_keys {
 
 const std::vector<std::string>& top() {
-    static const std::vector<std::string> keys{"$schema", "name",   "techniques", "axes",     "zip",
-                                               "exclude", "seed",   "truth",      "sampling", "lighting",
-                                               "object",  "images", "motion"};
+    static const std::vector<std::string> keys{"$schema",  "name",   "techniques", "axes",     "zip",
+                                               "exclude",  "seed",   "truth",      "sampling", "preparation",
+                                               "lighting", "object", "images",     "motion"};
     return keys;
 }
 
@@ -243,6 +245,11 @@ Configuration parse_configuration(const Json& json, const std::string& file, con
     warn_of_sizes_of_files(configuration);
     configuration.expanded = expanded_json(configuration);
     return configuration;
+}
+
+void set_preparation_limit(Configuration& configuration, double limit_s) {
+    configuration.preparation.limit_s = limit_s;
+    configuration.expanded["preparation"] = to_json(configuration.preparation);
 }
 
 Configuration read_configuration(const std::filesystem::path& path, const std::vector<std::string>& overrides,

@@ -27,6 +27,7 @@ constexpr double longest_pass_ms = 10000;
 constexpr double finest_precision = 1e-6;
 constexpr double coarsest_precision = 1;
 constexpr double longest_budget_s = 86400;
+constexpr double longest_preparation_s = 1e7;
 constexpr std::size_t most_lights = 3;
 constexpr double largest_radiance = 1e6;
 constexpr double largest_shininess = 1e5;
@@ -88,6 +89,11 @@ const std::vector<std::string>& truth() {
 const std::vector<std::string>& sampling() {
     static const std::vector<std::string> keys{
         "rule", "rounds", "precision", "budget_s", "samples_per_visit", "warm_up", "minimum_pass_ms"};
+    return keys;
+}
+
+const std::vector<std::string>& preparation() {
+    static const std::vector<std::string> keys{"limit_s"};
     return keys;
 }
 
@@ -155,6 +161,13 @@ SamplingSettings read_sampling(const JsonView& view) {
     if (view.has("warm_up")) sampling.warm_up = static_cast<int>(view.at("warm_up").integer(0, most_draws));
     if (view.has("minimum_pass_ms")) sampling.minimum_pass_ms = view.at("minimum_pass_ms").number(0, longest_pass_ms);
     return sampling;
+}
+
+PreparationLimit read_preparation(const JsonView& view) {
+    view.require_only(configuration_keys::preparation());
+    PreparationLimit preparation;
+    if (view.has("limit_s")) preparation.limit_s = view.at("limit_s").number(0, longest_preparation_s);
+    return preparation;
 }
 
 Lighting read_lighting(const JsonView& view) {
@@ -249,6 +262,10 @@ Json to_json(const SamplingSettings& sampling) {
             {"samples_per_visit", sampling.samples_per_visit},
             {"warm_up", sampling.warm_up},
             {"minimum_pass_ms", sampling.minimum_pass_ms}};
+}
+
+Json to_json(const PreparationLimit& preparation) {
+    return {{"limit_s", preparation.limit_s}};
 }
 
 Json to_json(const Lighting& lighting) {

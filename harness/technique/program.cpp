@@ -148,8 +148,9 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
     if (depth_write != DepthWrite::off) preamble += "#define RELIEFBENCH_WRITE_DEPTH 1\n";
     if (depth_write == DepthWrite::conservative) preamble += "#define RELIEFBENCH_CONSERVATIVE_DEPTH 1\n";
     preamble += declare_parameters(manifest, parameters);
-    for (std::size_t i = 0; i < manifest.maps.size(); ++i)
-        preamble += declare_map(manifest.maps[i], i);
+    for (std::size_t i = 0; i < manifest.maps.size(); ++i) {
+        if (!manifest.maps[i].scratch) preamble += declare_map(manifest.maps[i], i);
+    }
     std::string key = fmt::format("{} {}{}", probed ? "probed" : "timed", static_cast<int>(depth_write),
                                   compile_time_key(manifest, parameters));
     if (manifest.shape.kind == Shape::Kind::patches) {
@@ -178,10 +179,12 @@ gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& tech
     for (const std::size_t map : maps_before(manifest, pass))
         preamble += declare_map(manifest.maps[map], map);
     const MapDeclaration& target = find_map(manifest, pass.writes);
+    const bool folds = pass.sliced && pass.sliced->over == Slicing::Over::sources;
     // The format names of technique.json are GLSL's.
-    preamble += fmt::format("layout(set = 0, binding = {}, {}) uniform writeonly {} target_map;\n", binding::target_map,
-                            target.format, target.is_volume() ? "image3D" : "image2D");
+    preamble += fmt::format("layout(set = 0, binding = {}, {}) uniform {} {} target_map;\n", binding::target_map,
+                            target.format, folds ? "" : "writeonly", target.is_volume() ? "image3D" : "image2D");
     if (target.is_volume()) preamble += "#define RELIEFBENCH_VOLUME 1\n";
+    if (folds) preamble += "#define RELIEFBENCH_FOLDS 1\n";
     if (pass.levels == PassDeclaration::Levels::above_base) preamble += "#define RELIEFBENCH_ABOVE_BASE 1\n";
     return compile_stage(device, technique, pass.name + compile_time_key(manifest, parameters),
                          {.stage = gpu::ShaderStage::compute,

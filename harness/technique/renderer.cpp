@@ -214,9 +214,10 @@ Renderer::Renderer(const gpu::Device& device, const Technique& technique, const 
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 
-Preparation Renderer::prepare(int samples) {
-    state_->prepared = true;
-    return state_->maps.prepare(samples);
+Preparation Renderer::prepare(const PreparationSettings& settings) {
+    Preparation preparation = state_->maps.prepare(settings);
+    state_->prepared = preparation.given_up.empty();
+    return preparation;
 }
 
 Probe Renderer::probe() {

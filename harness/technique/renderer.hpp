@@ -11,6 +11,9 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -78,12 +81,37 @@ enum class ColourTarget {
     linear_float,
 };
 
+/// How far a preparation that is cut into slices has come.
+struct PreparationProgress {
+    std::string pass;
+    /// Of the pass, in [0, 1].
+    double fraction = 0;
+    /// Negative where nothing is known: later slices cost less than earlier ones.
+    double remaining_s = -1;
+};
+
+struct PreparationSettings {
+    int samples = 1;
+    /// A preparation in slices that will take longer than this, in seconds on the device, is given up.
+    double limit_s = std::numeric_limits<double>::infinity();
+    /// Where maps made in slices are kept (technique/map_cache.hpp); empty: nowhere.
+    std::filesystem::path cache = {};
+    /// Whether maps kept there earlier do.
+    bool take_kept = true;
+    std::function<void(const PreparationProgress&)> on_progress = {};
+};
+
 /// Preparation: compute passes run in the manifest's order.
 struct Preparation {
-    /// Milliseconds of each run, by pass (all levels of a pass together).
+    /// Milliseconds of each run, by pass (all levels and slices of a pass together); of maps that were kept, those of
+    /// making them.
     std::map<std::string, std::vector<double>> pass_ms;
-    /// Device memory of the derived maps.
+    /// Device memory of the derived maps; without scratch maps, which are gone by then.
     std::uint64_t bytes = 0;
+    /// Whether the maps were taken from the cache.
+    bool kept = false;
+    /// Not empty when it would have taken longer than the limit: why it was given up. Nothing can be drawn then.
+    std::string given_up;
 };
 
 /// Pipeline statistics of one draw by their Vulkan names without prefix, for example "fragment_shader_invocations".
@@ -104,7 +132,7 @@ public:
     ~Renderer();
     Renderer(Renderer&&) noexcept;
 
-    Preparation prepare(int samples = 1);
+    Preparation prepare(const PreparationSettings& settings = {});
     Probe probe();
     /// The same from another camera, with the maps prepared once.
     Probe probe_from(const Camera& camera);

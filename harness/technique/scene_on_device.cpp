@@ -81,6 +81,7 @@ std::vector<std::byte> encode_heights(const Image<float>& heights, HeightFormat 
 
 SceneOnDevice::Textures::Textures(const gpu::Device& device, const HeightMap& map, const Albedo& scene_albedo)
     : size(map.heights.size),
+      height_map_hash(map.hash),
       heights(make_texture(device, size, vulkan_format(map.format), encode_heights(map.heights, map.format))),
       derivatives(make_texture(device, size, vk::Format::eR32G32Sfloat, to_bytes(height_derivatives(map).texels))),
       albedo(make_albedo_texture(device, scene_albedo)),

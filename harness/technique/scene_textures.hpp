@@ -6,6 +6,7 @@
 #include "gpu/pipeline.hpp"
 #include "technique/renderer.hpp"
 
+#include <string>
 #include <vector>
 
 namespace reliefbench {
@@ -14,6 +15,7 @@ struct SceneOnDevice::Textures {
     Textures(const gpu::Device& device, const HeightMap& map, const Albedo& albedo);
 
     Resolution size;
+    std::string height_map_hash;
     gpu::Texture heights;
     gpu::Texture derivatives;
     gpu::Texture albedo;

@@ -5,8 +5,8 @@
 namespace reliefbench {
 
 CheckList::CheckList(const gpu::Device& device, const Technique& technique,
-                     const std::function<void(const Check&)>& on_check)
-    : device_(&device), technique_(&technique), on_check_(on_check), scenes_(device) {}
+                     const std::function<void(const Check&)>& on_check, const PreparationSettings& preparation)
+    : device_(&device), technique_(&technique), on_check_(on_check), preparation_(preparation), scenes_(device) {}
 
 double CheckList::filter_deviation() {
     if (filter_deviation_ < 0) filter_deviation_ = measure_filter_deviation(*device_, HeightFormat::r16);
@@ -18,8 +18,8 @@ const Comparison& CheckList::comparison(const ParameterValues& parameters, const
     const auto known = comparisons_.find(key);
     if (known != comparisons_.end()) return known->second;
     const CoordinateScene& scene = scenes_.get(circumstance.map, circumstance.map_size);
-    return comparisons_.emplace(key, compare_with_truth(*device_, *technique_, parameters, scene, circumstance.view))
-        .first->second;
+    Comparison found = compare_with_truth(*device_, *technique_, parameters, scene, circumstance.view, preparation_);
+    return comparisons_.emplace(key, std::move(found)).first->second;
 }
 
 bool CheckList::check(const std::string& name, const std::string& circumstances, const std::function<Finding()>& body) {

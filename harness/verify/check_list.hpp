@@ -19,12 +19,15 @@ struct Finding {
 /// The technique under test, the scenes it is tested on, and the checks done so far.
 class CheckList {
 public:
-    CheckList(const gpu::Device& device, const Technique& technique, const std::function<void(const Check&)>& on_check);
+    /// `preparation`: of every picture that a check draws.
+    CheckList(const gpu::Device& device, const Technique& technique, const std::function<void(const Check&)>& on_check,
+              const PreparationSettings& preparation = {});
 
     const gpu::Device& device() const { return *device_; }
     const Technique& technique() const { return *technique_; }
     const Manifest& manifest() const { return technique_->manifest; }
     SceneCollection& scenes() { return scenes_; }
+    const PreparationSettings& preparation() const { return preparation_; }
     /// δ of r16, measured when first asked for.
     double filter_deviation();
     /// compare_with_truth, drawn and traced when first asked for: promises look at the same pictures.
@@ -40,6 +43,7 @@ private:
     const gpu::Device* device_;
     const Technique* technique_;
     std::function<void(const Check&)> on_check_;
+    PreparationSettings preparation_;
     SceneCollection scenes_;
     double filter_deviation_ = -1;
     std::map<std::string, Comparison> comparisons_;

@@ -1,5 +1,7 @@
 #include "verify/circumstance.hpp"
 
+#include "core/error.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -64,10 +66,11 @@ const CoordinateScene& SceneCollection::get(const std::string& map, Resolution s
 }
 
 Comparison compare_with_truth(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
-                              const CoordinateScene& scene, const View& view) {
+                              const CoordinateScene& scene, const View& view, const PreparationSettings& preparation) {
     const Lighting lighting = coordinate_lighting();
     Renderer renderer(device, technique, parameters, scene.on_device, view, lighting);
-    renderer.prepare();
+    const std::string given_up = renderer.prepare(preparation).given_up;
+    if (!given_up.empty()) fail("{}", given_up);
     Comparison comparison;
     comparison.probe = renderer.probe();
     comparison.truth = trace_exact_truth(scene.map, scene.albedo, view, lighting);

@@ -57,7 +57,8 @@ struct Comparison {
 
 /// Draws the probed compilation and traces the exact truth beside it.
 Comparison compare_with_truth(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
-                              const CoordinateScene& scene, const View& view);
+                              const CoordinateScene& scene, const View& view,
+                              const PreparationSettings& preparation = {});
 
 /// Texels that the ray of a pixel travels from h = 1 to h = 0: H·tanθ·N·tiling.
 double texels_through_relief(const View& view, const HeightMap& map, int i, int j);

@@ -6,8 +6,9 @@
 namespace reliefbench {
 
 std::vector<Check> verify_technique(const gpu::Device& device, const Technique& technique,
-                                    const std::function<void(const Check&)>& on_check) {
-    CheckList list(device, technique, on_check);
+                                    const std::function<void(const Check&)>& on_check,
+                                    const PreparationSettings& preparation) {
+    CheckList list(device, technique, on_check, preparation);
     if (!check_supported(list) || !check_compiles(list)) return list.take();
     check_pictures(list);
     check_polygon(list);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "technique/renderer.hpp"
 #include "technique/technique.hpp"
 
 #include <functional>
@@ -27,6 +28,7 @@ struct Check {
 /// Runs the general checks (compiles, timed and probed agree, finite, closed forms on constant maps) and those of the
 /// promises in the manifest. A shader that does not compile is a failed check, not an Error.
 std::vector<Check> verify_technique(const gpu::Device& device, const Technique& technique,
-                                    const std::function<void(const Check&)>& on_check = {});
+                                    const std::function<void(const Check&)>& on_check = {},
+                                    const PreparationSettings& preparation = {});
 
 }  // namespace reliefbench

@@ -148,7 +148,7 @@ void check_picture(CheckList& list, const ParameterValues& parameters, const Cir
     const bool drawn = list.check("timed and probed agree", text, [&] {
         Renderer renderer(list.device(), list.technique(), parameters, scene.on_device, where.view,
                           coordinate_lighting());
-        renderer.prepare();
+        renderer.prepare(list.preparation());
         timed = renderer.draw_timed(ColourTarget::linear_float);
         probe = renderer.probe();
         return compare_pictures(timed, probe, scene.map, bit_for_bit);
@@ -176,7 +176,7 @@ bool check_compiles(CheckList& list) {
     return list.check("compiles", describe(list.manifest().defaults(), list.manifest()), [&]() -> Finding {
         Renderer renderer(list.device(), list.technique(), list.manifest().defaults(),
                           list.scenes().get(first.map, first.map_size).on_device, first.view, coordinate_lighting());
-        renderer.prepare();
+        renderer.prepare(list.preparation());
         renderer.draw_timed(ColourTarget::display);
         renderer.probe();
         return {true, "timed and probed, every stage"};
@@ -200,9 +200,9 @@ void check_polygon(CheckList& list) {
     for (const Projection projection : {Projection::perspective, Projection::parallel}) {
         const Circumstance where = circumstance("ones", {32, 32}, projection, 60, -70);
         list.check("a map of ones is the polygon", describe(where), [&]() -> Finding {
-            const HitErrors errors =
-                compare_with_truth(list.device(), list.technique(), list.manifest().defaults(), ones, where.view)
-                    .errors;
+            const HitErrors errors = compare_with_truth(list.device(), list.technique(), list.manifest().defaults(),
+                                                        ones, where.view, list.preparation())
+                                         .errors;
             const double worst = errors.uv_texels ? errors.uv_texels->max : INFINITY;
             const double wrong = errors.missed + errors.false_hits;
             return {worst <= tolerance_texels && wrong <= tolerated_pixels,
@@ -216,7 +216,8 @@ void check_work(CheckList& list) {
     const Circumstance where = picture_circumstances().front();
     list.check("work is counted", describe(where), [&]() -> Finding {
         const auto probe_map = [&](const CoordinateScene& scene) {
-            return compare_with_truth(list.device(), list.technique(), list.manifest().defaults(), scene, where.view)
+            return compare_with_truth(list.device(), list.technique(), list.manifest().defaults(), scene, where.view,
+                                      list.preparation())
                 .probe;
         };
         const Probe relief = probe_map(list.scenes().get(where.map, where.map_size));

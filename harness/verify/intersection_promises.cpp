@@ -44,7 +44,8 @@ std::size_t unconverged_pixels(const Probe& probe) {
     return count;
 }
 
-/// Footprint pixels whose reported point lies more than half a texel and the floor beyond the first hit.
+}  // namespace
+
 std::size_t pixels_beyond(const Comparison& comparison, const HeightMap& map, const View& view, double deviation) {
     constexpr double tolerance_texels = 0.5;
     std::size_t beyond = 0;
@@ -62,8 +63,6 @@ std::size_t pixels_beyond(const Comparison& comparison, const HeightMap& map, co
     }
     return beyond;
 }
-
-}  // namespace
 
 void check_first_hit(CheckList& list, const PromiseDeclaration& declaration) {
     constexpr double tolerance_texels = 0.1;

@@ -114,6 +114,23 @@ TEST(Manifest, DepthIsANumberOrAParameter) {
     EXPECT_EQ(map.slices({{"max_steps", std::int64_t{9}}}), 9);
 }
 
+TEST(Manifest, PassesMayBeConditionalAndSliced) {
+    Json json = with("/passes/2/only_with", parse_json(R"({"leaf": ["exact"], "adaptive": [true, false]})", "test"));
+    json["passes"][2]["sliced"] = parse_json(R"({"iterations": 5, "ends_early": true})", "test");
+    json["maps"][1]["scratch"] = true;
+    const Manifest manifest = parse(json);
+    EXPECT_TRUE(manifest.maps[1].scratch);
+    EXPECT_FALSE(manifest.maps[0].scratch);
+    EXPECT_EQ(manifest.passes[2].sliced->iterations, 5);
+    EXPECT_TRUE(manifest.passes[2].sliced->ends_early);
+    EXPECT_FALSE(manifest.passes[0].sliced);
+    ParameterValues values = manifest.defaults();
+    EXPECT_TRUE(all_hold(manifest.passes[2].only_with, values));
+    values["leaf"] = std::string("linear");
+    EXPECT_FALSE(all_hold(manifest.passes[2].only_with, values));
+    EXPECT_TRUE(all_hold(manifest.passes[0].only_with, values));
+}
+
 TEST(Manifest, PatchesNameTheirParameterAndNeedTessellation) {
     Json json = complete();
     json.erase("features");
@@ -198,6 +215,14 @@ TEST(Manifest, WhatIsWrongIsNamedWithItsPlace) {
         {"/passes/0/shader", "\"../other/leaves.glsl\"", "$.passes[0].shader: expected a file inside the technique's"},
         {"/passes/0/shader", "\"/etc/leaves.glsl\"", "$.passes[0].shader: expected a file inside the technique's"},
         {"/passes/0/shader", "\"\"", "$.passes[0].shader: expected a file inside the technique's"},
+        {"/passes/2/only_with", R"({"leav": ["exact"]})", "$.passes[2].only_with.leav: no parameter 'leav'"},
+        {"/passes/2/only_with", R"({"leaf": ["exat"]})", "$.passes[2].only_with.leaf[0]: leaf cannot be exat"},
+        {"/passes/2/only_with", R"({"leaf": []})", "$.passes[2].only_with.leaf: expected at least one value"},
+        {"/passes/0/sliced", "{}", "the map 'tree', which rounds them; give it a format of floats"},
+        {"/passes/2/sliced", R"({"over": "columns"})", "$.passes[2].sliced.over: "},
+        {"/passes/1/sliced", "{}", "$.passes[1].sliced: only a pass that writes the base"},
+        {"/passes/2/sliced", R"({"iterations": 0})", "$.passes[2].sliced.iterations: expected an integer from 1"},
+        {"/passes/2/sliced", R"({"iterations": 40000})", "$.passes[2].sliced.iterations: expected an integer from 1"},
         {"/shape", "\"quads\"", "$.shape: expected \"quad\""},
         {"/shape", R"({"patches": {"parameter": "bias"}})", "$.shape.patches.parameter: the parameter 'bias' must be"},
         {"/shape", R"({"patches": {"parameter": "max_steps", "texels_per_patch": 0}})", "texels_per_patch"},

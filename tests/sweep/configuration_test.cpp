@@ -294,7 +294,7 @@ TEST(Configuration, ReadsBackFromWhatIsWrittenToRunJson) {
         R"("name": "round", "seed": 5, "images": true, "motion": {"degrees": 1}, "zip": [["view_angle", "azimuth"]],
         "axes": {"heightmap": ["rock", {"name": "bricks", "size": "64x32", "seed": 3}], "view_angle": [0, 60],
                  "azimuth": [0, 22.5], "sample_count": [16, 32]}, "exclude": [{"technique": "plain", "view_angle": 60}],
-        "truth": {"kind": "mesh"}, "lighting": {"fog": {}, "shininess": 3}, "sampling": {"rounds": 7})",
+        "truth": {"kind": "mesh"}, "lighting": {"fog": {}, "shininess": 3}, "sampling": {"rounds": 7}, "preparation": {"limit_s": 5})",
         R"(["plain", "march", {"technique": "tree", "parameters": {"leaf": ["exact"]}}])");
     const Configuration first = parse(text, {"view_angle=10,60"});
     Json run = Json::object();

@@ -53,6 +53,7 @@ TEST(Schema, HasTheKeysThatTheParserTakes) {
     EXPECT_THAT(property_names("/$defs/technique"), UnorderedElementsAreArray(keys::technique()));
     EXPECT_THAT(property_names("/$defs/truth"), UnorderedElementsAreArray(keys::truth()));
     EXPECT_THAT(property_names("/$defs/sampling"), UnorderedElementsAreArray(keys::sampling()));
+    EXPECT_THAT(property_names("/$defs/preparation"), UnorderedElementsAreArray(keys::preparation()));
     EXPECT_THAT(property_names("/$defs/lighting"), UnorderedElementsAreArray(keys::lighting()));
     EXPECT_THAT(property_names("/$defs/light"), UnorderedElementsAreArray(keys::light()));
     EXPECT_THAT(property_names("/$defs/fog"), UnorderedElementsAreArray(keys::fog()));
@@ -80,6 +81,9 @@ TEST(Schema, StatesTheDefaultsOfTheParser) {
     }
     for (const auto& [key, value] : expanded["motion"].items()) {
         EXPECT_EQ(stated("/$defs/motion/properties/" + key), value) << key;
+    }
+    for (const auto& [key, value] : expanded["preparation"].items()) {
+        EXPECT_EQ(stated("/$defs/preparation/properties/" + key), value) << key;
     }
     EXPECT_EQ(stated("/$defs/lighting/properties/shininess"), expanded["lighting"]["shininess"]);
     EXPECT_EQ(stated("/$defs/object/properties/radius"), SceneObject{}.radius);
@@ -154,6 +158,9 @@ TEST(Schema, AgreesWithTheParserAboutValues) {
         {"/sampling", R"({"rule": "precision", "rounds": 6, "precision": 0.02, "budget_s": 0.5})", true},
         {"/sampling", R"({"rule": "time", "budget_s": 2})", true},
         {"/sampling", R"({"rule": "other"})", false},
+        {"/preparation", R"({"limit_s": 0})", true},
+        {"/preparation", R"({"limit_s": -1})", false},
+        {"/preparation", R"({"limit": 1})", false},
         {"/sampling", R"({"precision": 2})", false},
         {"/sampling", R"({"budget_s": 0})", false},
         {"/sampling", R"({"minimum_pass_ms": -1})", false},

@@ -1,5 +1,7 @@
 #include "test_scene.hpp"
 
+#include "core/error.hpp"
+
 #include <algorithm>
 #include <bit>
 
@@ -90,7 +92,7 @@ TEST_F(PreparationOnDevice, IsTimedByPassAndSized) {
     const SceneOnDevice scene(device(), make_map({16, 8}, [](int, int) { return 0.5; }), grey_albedo());
     Renderer renderer(device(), technique, technique.manifest.defaults(), scene, make_view(0, Projection::parallel),
                       Lighting{});
-    const Preparation preparation = renderer.prepare(3);
+    const Preparation preparation = renderer.prepare({.samples = 3});
     ASSERT_EQ(preparation.pass_ms.size(), 2u);
     for (const auto& [pass, milliseconds] : preparation.pass_ms) {
         ASSERT_EQ(milliseconds.size(), 3u) << pass;
@@ -177,6 +179,186 @@ TEST_F(PreparationOnDevice, ThreeDimensionalMapsFilterAcrossSlices) {
     EXPECT_NEAR(read("0.5 / 8.0", "-0.5 / 6.0", "0.5 / 5.0"), 8 * 5, 1e-3);
     EXPECT_NEAR(read("0.5 / 8.0", "0.5 / 6.0", "2.0"), 64 * 4, 1e-3);
     EXPECT_NEAR(read("0.5 / 8.0", "0.5 / 6.0", "-1.0"), 0, 1e-3);
+}
+
+/// For each texel the number of the height map's texels that are higher, plus `bias` where it is asked for: a
+/// search in slices, whose counts are folded by adding.
+Files counting_search(int iterations, bool ends_early = false) {
+    return {{"technique.json",
+             manifest_json(R"({"name": "bias", "type": "integer", "default": 0, "range": [0, 99], "help": "h"},
+                              {"name": "unused", "type": "integer", "default": 0, "range": [0, 99], "help": "h"},
+                              {"name": "search", "type": "choice", "choices": ["count", "none"], "default": "count",
+                               "help": "h"})",
+                           R"(, "maps": [{"name": "counts", "format": "r32f", "scratch": true},
+                                         {"name": "result", "format": "r32f"}],
+                                "passes": [{"name": "count", "shader": "count.glsl", "writes": "counts",
+                                            "only_with": {"search": ["count"]},
+                                            "sliced": {"iterations": )" +
+                               std::to_string(iterations) + R"(, "ends_early": )" + (ends_early ? "true" : "false") +
+                               R"(}},
+                                           {"name": "constant", "shader": "constant.glsl", "writes": "counts",
+                                            "only_with": {"search": ["none"]}},
+                                           {"name": "finish", "shader": "finish.glsl", "writes": "result"}])")},
+            {"count.glsl", R"(
+                void prepare(ivec2 texel) {
+                    float higher = slice_begin() == 0 ? float(bias) : folded_map().r;
+                    float here = tap_height_texel(texel);
+                    ivec2 size = height_map_size();
+                    for (int source = slice_begin(); source < slice_end(); ++source)
+                        higher += tap_height_texel(ivec2(source % size.x, source / size.x)) > here ? 1.0 : 0.0;
+                    write_map(vec4(higher));
+                })"},
+            {"constant.glsl", "void prepare(ivec2 texel) { write_map(vec4(7.0)); }"},
+            {"finish.glsl", "void prepare(ivec2 texel) { write_map(tap_map_texel(counts, texel, 0) / 65536.0); }"},
+            {"trace.glsl", R"(
+                Trace trace(ReliefRay ray) {
+                    return hit_off_ray(ray.uv, tap_map_texel(result, ivec2(ray.uv * 64.0), 0).r, 0);
+                })"}};
+}
+
+class SlicedPreparation : public DeviceTest {
+protected:
+    /// 64x64 heights, all different, and 4096 of them higher or lower than any other.
+    SlicedPreparation()
+        : scene_(device(), make_map({64, 64}, [](int x, int y) { return ((x + 64 * y) * 1021 % 4096) / 4096.0; }),
+                 grey_albedo()) {}
+
+    Renderer renderer(const Technique& technique, const ParameterValues& changed = {}) const {
+        ParameterValues parameters = technique.manifest.defaults();
+        for (const auto& [name, value] : changed)
+            parameters.at(name) = value;
+        return Renderer(device(), technique, parameters, scene_, make_view(0, Projection::parallel), Lighting{});
+    }
+
+    /// Of texel (x, y), whose height's rank is known.
+    static float expected(int x, int y, int bias = 0) {
+        return static_cast<float>(4095 - (x + 64 * y) * 1021 % 4096 + bias) / 65536.0f;
+    }
+
+    static void expect_counts(Renderer& renderer, int bias = 0) {
+        const Probe probe = renderer.probe();
+        for (int y = 0; y < 64; ++y) {
+            for (int x = 0; x < 64; ++x)
+                ASSERT_EQ(probe.hits.at(x, 63 - y).h, expected(x, y, bias)) << x << ' ' << y;
+        }
+    }
+
+    SceneOnDevice scene_;
+};
+
+TEST_F(SlicedPreparation, FoldsWhatTheSlicesFound) {
+    // 4096 texels searched: one slice where one costs an iteration, and ones of four where one is said to cost
+    // 15,000.
+    for (const int iterations : {1, 15000}) {
+        const TemporaryTechnique folder(counting_search(iterations));
+        const Technique technique = folder.load();
+        Renderer drawn = renderer(technique);
+        int told = 0;
+        double fraction = 0;
+        const auto on_progress = [&](const PreparationProgress& progress) {
+            EXPECT_EQ(progress.pass, "count");
+            EXPECT_GT(progress.fraction, fraction);
+            fraction = progress.fraction;
+            ++told;
+        };
+        const Preparation preparation = drawn.prepare({.on_progress = on_progress});
+        EXPECT_EQ(fraction, 1);
+        EXPECT_EQ(told > 100, iterations > 1) << told;
+        EXPECT_EQ(preparation.pass_ms.size(), 2U);
+        expect_counts(drawn);
+    }
+}
+
+TEST_F(SlicedPreparation, WritesEveryRowOnce) {
+    Files files = counting_search(1);
+    const std::string manifest = files["technique.json"];
+    const std::string finish = R"("finish.glsl", "writes": "result")";
+    files["technique.json"] = std::string(manifest).replace(
+        manifest.find(finish), finish.size(), finish + R"(, "sliced": {"over": "rows", "iterations": 32768})");
+    const TemporaryTechnique folder(files);
+    const Technique technique = folder.load();
+    Renderer drawn = renderer(technique);
+    int slices = 0;
+    drawn.prepare({.on_progress = [&](const PreparationProgress& told) { slices += told.pass == "finish" ? 1 : 0; }});
+    EXPECT_EQ(slices, 8) << "rows of workgroups of 8x8";
+    expect_counts(drawn);
+}
+
+TEST_F(SlicedPreparation, RunsThePassesOfItsParameters) {
+    const TemporaryTechnique folder(counting_search(1));
+    const Technique technique = folder.load();
+    Renderer none = renderer(technique, {{"search", std::string("none")}});
+    const Preparation preparation = none.prepare();
+    EXPECT_TRUE(preparation.pass_ms.contains("constant"));
+    EXPECT_FALSE(preparation.pass_ms.contains("count"));
+    EXPECT_EQ(none.probe().hits.at(5, 5).h, 7.0f / 65536.0f);
+    // The scratch map is gone.
+    EXPECT_LT(preparation.bytes, 2 * 64 * 64 * sizeof(float));
+}
+
+TEST_F(SlicedPreparation, KeptMapsAreThoseMade) {
+    const TemporaryTechnique folder(counting_search(1));
+    const Technique technique = folder.load();
+    const TemporaryFolder cache;
+    const PreparationSettings settings{.cache = cache.path()};
+    Renderer made = renderer(technique);
+    const Preparation first = made.prepare(settings);
+    EXPECT_FALSE(first.kept);
+
+    Renderer taken = renderer(technique, {{"unused", std::int64_t{5}}});
+    const Preparation second = taken.prepare(settings);
+    EXPECT_TRUE(second.kept) << "a parameter that no pass uses makes no other map";
+    EXPECT_EQ(second.pass_ms, first.pass_ms) << "the times are those of making them";
+    EXPECT_EQ(second.bytes, first.bytes);
+    expect_counts(taken);
+
+    Renderer other = renderer(technique, {{"bias", std::int64_t{3}}});
+    EXPECT_FALSE(other.prepare(settings).kept);
+    expect_counts(other, 3);
+    EXPECT_FALSE(made.prepare({.cache = cache.path(), .take_kept = false}).kept);
+    expect_counts(made);
+    EXPECT_FALSE(renderer(technique).prepare().kept);
+}
+
+TEST_F(SlicedPreparation, ADamagedFileIsMadeAnew) {
+    const TemporaryTechnique folder(counting_search(1));
+    const Technique technique = folder.load();
+    const TemporaryFolder cache;
+    const PreparationSettings settings{.cache = cache.path()};
+    renderer(technique).prepare(settings);
+    const std::filesystem::path file = std::filesystem::directory_iterator(cache.path())->path();
+    const std::string whole = read_text_file(file);
+    write_text_file(file, whole.substr(0, whole.size() / 2));
+    Renderer again = renderer(technique);
+    EXPECT_FALSE(again.prepare(settings).kept);
+    expect_counts(again);
+    EXPECT_TRUE(renderer(technique).prepare(settings).kept);
+}
+
+TEST_F(SlicedPreparation, WhatTakesTooLongIsGivenUp) {
+    for (const bool ends_early : {false, true}) {
+        const TemporaryTechnique folder(counting_search(15000, ends_early));
+        const Technique technique = folder.load();
+        const TemporaryFolder cache;
+        const std::string reason = renderer(technique).prepare({.limit_s = 0, .cache = cache.path()}).given_up;
+        EXPECT_NE(reason.find("the pass 'count'"), std::string::npos) << reason;
+        EXPECT_NE(reason.find("preparation.limit_s"), std::string::npos) << reason;
+        EXPECT_TRUE(std::filesystem::is_empty(cache.path()));
+    }
+}
+
+TEST_F(SlicedPreparation, AMapWithoutSomeOfItsLevelsIsAnError) {
+    const TemporaryTechnique folder(
+        {{"technique.json", manifest_json(R"({"name": "deep", "type": "boolean", "default": false, "help": "h"})",
+                                          R"(, "maps": [{"name": "chain", "format": "r32f", "mip_chain": true}],
+                             "passes": [{"name": "a", "shader": "p.glsl", "writes": "chain"},
+                                        {"name": "b", "shader": "p.glsl", "writes": "chain", "levels": "above_base",
+                                         "only_with": {"deep": [true]}}])")},
+         {"p.glsl", "void prepare(ivec2 texel) { write_map(vec4(1.0)); }"},
+         {"trace.glsl", flat_trace}});
+    const Technique technique = folder.load();
+    EXPECT_NO_THROW(renderer(technique, {{"deep", true}}));
+    EXPECT_THROW(renderer(technique), Error);
 }
 
 // lavapipe interpolates r16 and r32f in float, and rounds what it filters from r8 to 8 bits.

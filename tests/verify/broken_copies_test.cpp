@@ -156,6 +156,24 @@ TEST_F(BrokenCopies, ConservativeFindsStepsAlongTheHeightAlone) {
         Promise::conservative);
 }
 
+TEST_F(BrokenCopies, ConservativeFindsConesThatHoldAtTexelsOnly) {
+    expect_broken_promise(
+        BrokenCopy("robust_cone", "store.glsl", "narrowest_around(ratios, texel)", "tap_map_texel(ratios, texel, 0).r"),
+        Promise::conservative);
+}
+
+TEST_F(BrokenCopies, ConservativeFindsStepsBeyondTheCone) {
+    expect_broken_promise(BrokenCopy("robust_cone", "cone_march.glsl", "gap * cone.y / (cone.y + speed)",
+                                     "2.0 * gap * cone.y / (cone.y + speed)"),
+                          Promise::conservative);
+}
+
+TEST_F(BrokenCopies, ConservativeFindsConesToTheFarSideOfANode) {
+    expect_broken_promise(BrokenCopy("robust_cone", "quick_cone.glsl", "span.low - texel, texel - span.high",
+                                     "span.high - texel, texel - span.low"),
+                          Promise::conservative);
+}
+
 TEST_F(BrokenCopies, TimedAndProbedMustAgree) {
     const BrokenCopy copy("steep", "trace.glsl", "    return hit_on_ray(refined.s, refined.steps);",
                           "#ifndef RELIEFBENCH_PROBED\n"

@@ -46,6 +46,13 @@ TEST(Promises, ShippedTechniquesMakeThese) {
          {{"first_hit", "leaf=exact", ""}, {"conservative", "leaf=exact", ""}, {"conservative", "leaf=none", ""}}},
         {"secant",
          {{"order_1", "adaptive=false secant_steps=0", ""}, {"order_2", "adaptive=false secant_steps=1", ""}}},
+        {"cone_step", {}},
+        {"quad_cone", {}},
+        {"relaxed_cone", {}},
+        {"robust_cone",
+         {{"conservative", "", ""},
+          {"conservative", "minimum_step=false refinement=none", ""},
+          {"conservative", "preparation=falling_edges", ""}}},
         {"tessellation", {}},
         {"distance_map", {{"conservative", "", ""}, {"conservative", "max_steps=256 slices=64", ""}}},
     };

@@ -1,0 +1,65 @@
+#ifndef RELIEFBENCH_CONE_MARCH_GLSL
+#define RELIEFBENCH_CONE_MARCH_GLSL
+
+// Steps along cones, shared by the techniques that have some. A ray at a height `gap` above the surface, on the axis of a
+// cone of this ratio, leaves the cone where it has come as far from the axis as the cone is wide there.
+
+#include "refinement.glsl"
+
+float tap_along(ReliefRay ray, float s) { return tap_height(point_on_ray(ray, s)); }
+
+// Height and cone ratio under the ray at s. Whoever includes this file defines how they are read, and how far each step
+// goes at least, in s.
+vec2 tap_cone(ReliefRay ray, float s);
+float least_step(ReliefRay ray, float s);
+
+// Nearer above the surface than this is on it: half a step of a height map of 16 bits. Cones alone come ever closer and
+// never there.
+const float contact = 0.5 / 65535.0;
+
+// The ray's end at h = 0, where it is at or beneath the surface.
+const float far_end = 1.0;
+
+struct ConeSearch {
+    // Where it holds none, because the search ended above the surface, both ends are the last point known to lie there.
+    Crossing crossing;
+    bool converged;
+};
+
+ConeSearch search_cones(ReliefRay ray, int most_steps) {
+    float speed = length(ray.max_offset);
+    vec2 cone = tap_cone(ray, 0.0);
+    Crossing crossing = Crossing(0.0, cone.x, 0.0, cone.x, 0);
+    float s = 0.0;
+    while (true) {
+        float gap = (1.0 - s) - cone.x;
+        crossing.s_below = s;
+        crossing.h_below = cone.x;
+        if (gap <= 0.0) return ConeSearch(crossing, true);
+        crossing.s_above = s;
+        crossing.h_above = cone.x;
+        if (gap <= contact) return ConeSearch(crossing, true);
+        if (crossing.steps == most_steps) return ConeSearch(crossing, false);
+        crossing.steps += 1;
+        s = min(s + max(gap * cone.y / (cone.y + speed), least_step(ray, s)), far_end);
+        cone = tap_cone(ray, s);
+    }
+}
+
+// The ray parameter of a way of so many texels along the ray, up and down included.
+float texels_along(ReliefRay ray, float texels) {
+    vec2 size = vec2(height_map_size());
+    return texels / length(vec3(ray.max_offset, ray.height) * vec3(size, max(size.x, size.y)));
+}
+
+// The answer of a search that ended above the surface, or whose crossing is taken as it was found.
+Refined unrefined(ConeSearch search) { return Refined(search.crossing.s_below, search.crossing.steps); }
+
+bool holds_crossing(ConeSearch search) { return search.converged && search.crossing.s_above < search.crossing.s_below; }
+
+Trace answer(ConeSearch search, Refined refined) {
+    Trace found = hit_on_ray(refined.s, refined.steps);
+    return search.converged ? found : unconverged(found);
+}
+
+#endif

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+
+namespace reliefbench {
+
+/// What one dispatch does of a pass in slices, texels searched (numbered row by row) or rows written: [begin, end).
+struct Slice {
+    std::int64_t begin = 0;
+    std::int64_t end = 0;
+};
+
+/// Cuts a pass over so many sources, each of which costs so many invocations so many loop iterations at most, into
+/// dispatches of about a tenth of a second, none of which costs an invocation more iterations than every device lets it
+/// have. Pure: times come from outside.
+class SlicePlan {
+public:
+    SlicePlan(std::int64_t sources, std::int64_t invocations, int iterations);
+
+    bool is_done() const { return done_ == sources_; }
+    /// The next one, for which `took` must be called before another is asked for.
+    Slice next() const;
+    void took(double milliseconds);
+
+    /// Of the whole search in [0, 1].
+    double fraction() const { return static_cast<double>(done_) / static_cast<double>(sources_); }
+    double elapsed_ms() const { return elapsed_ms_; }
+    /// Of the whole search, if the rest costs as much a texel as the slice before; 0 before the first.
+    double estimated_ms() const;
+    /// Whether slices have been timed for long enough that the estimate means something.
+    bool is_estimate_sound() const;
+
+private:
+    std::int64_t sources_;
+    std::int64_t most_;
+    std::int64_t length_;
+    std::int64_t done_ = 0;
+    int slices_ = 0;
+    double elapsed_ms_ = 0;
+    double last_ms_per_source_ = 0;
+};
+
+}  // namespace reliefbench

@@ -1,0 +1,3 @@
+#include "quad_cone.glsl"
+
+void prepare(ivec2 texel) { write_map(search_quadrants(texel)); }

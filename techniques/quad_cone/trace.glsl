@@ -1,0 +1,17 @@
+#include "cone_refinement.glsl"
+
+// The cone about the axis of the texture that the ray mostly goes along.
+vec2 tap_cone(ReliefRay ray, float s) {
+    vec2 uv = point_on_ray(ray, s);
+    vec4 ratios = tap_map(cones, uv, 0.0);
+    bool along_u = abs(ray.max_offset.x) >= abs(ray.max_offset.y);
+    vec2 pair = along_u ? ratios.xy : ratios.zw;
+    float way = along_u ? ray.max_offset.x : ray.max_offset.y;
+    return vec2(tap_height(uv), way >= 0.0 ? pair.x : pair.y);
+}
+
+float least_step(ReliefRay ray, float s) { return texels_along(ray, minimum_step); }
+
+Trace trace(ReliefRay ray) {
+    return refine(ray, search_cones(ray, max_steps));
+}

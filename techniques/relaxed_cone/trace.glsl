@@ -1,0 +1,13 @@
+#include "cone_march.glsl"
+
+vec2 tap_cone(ReliefRay ray, float s) { return tap_map(cones, point_on_ray(ray, s), 0.0).rg; }
+
+float least_step(ReliefRay ray, float s) { return 0.0; }
+
+// A cone that a ray pierces at most once leaves it above the surface or just past its first crossing, which halving finds.
+Trace trace(ReliefRay ray) {
+    ConeSearch search = search_cones(ray, max_steps);
+    Refined refined = unrefined(search);
+    if (holds_crossing(search)) refined = refine_by_halving(ray, search.crossing, binary_steps);
+    return answer(search, refined);
+}
