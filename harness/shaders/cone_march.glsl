@@ -12,6 +12,8 @@ float tap_along(ReliefRay ray, float s) { return tap_height(point_on_ray(ray, s)
 // goes at least, in s.
 vec2 tap_cone(ReliefRay ray, float s);
 float least_step(ReliefRay ray, float s);
+// Whether a least step, which then ends within the bilinear cell that it begins in, looks for a bump on its way.
+bool looks_for_bumps();
 
 // Nearer above the surface than this is on it: half a step of a height map of 16 bits. Cones alone come ever closer and
 // never there.
@@ -25,6 +27,19 @@ struct ConeSearch {
     Crossing crossing;
     bool converged;
 };
+
+// Whether the ray, with gaps above the surface at both ends of a way within one bilinear cell, is beneath it in between;
+// then `s_lowest` is where it is deepest. Along the way the gap is a parabola, which one more point tells.
+bool passes_bump(ReliefRay ray, float s, float gap, float s_end, float gap_end, out float s_lowest) {
+    float middle = 0.5 * (s + s_end);
+    float gap_middle = (1.0 - middle) - tap_along(ray, middle);
+    // gap(t) = a t^2 + b t + gap, t from 0 to 1.
+    float a = 2.0 * (gap + gap_end - 2.0 * gap_middle);
+    float b = gap_end - gap - a;
+    float t = a > 0.0 ? -b / (2.0 * a) : 0.0;
+    s_lowest = mix(s, s_end, t);
+    return t > 0.0 && t < 1.0 && gap + 0.5 * b * t < 0.0;
+}
 
 ConeSearch search_cones(ReliefRay ray, int most_steps) {
     float speed = length(ray.max_offset);
@@ -41,8 +56,18 @@ ConeSearch search_cones(ReliefRay ray, int most_steps) {
         if (gap <= contact) return ConeSearch(crossing, true);
         if (crossing.steps == most_steps) return ConeSearch(crossing, false);
         crossing.steps += 1;
-        s = min(s + max(gap * cone.y / (cone.y + speed), least_step(ray, s)), far_end);
+        float along_cone = gap * cone.y / (cone.y + speed);
+        float least = least_step(ray, s);
+        s = min(s + max(along_cone, least), far_end);
         cone = tap_cone(ray, s);
+        float gap_end = (1.0 - s) - cone.x;
+        if (looks_for_bumps() && least > along_cone && gap_end > 0.0) {
+            float s_lowest;
+            if (passes_bump(ray, crossing.s_above, gap, s, gap_end, s_lowest)) {
+                s = s_lowest;
+                cone = tap_cone(ray, s);
+            }
+        }
     }
 }
 

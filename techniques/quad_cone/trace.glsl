@@ -12,6 +12,8 @@ vec2 tap_cone(ReliefRay ray, float s) {
 
 float least_step(ReliefRay ray, float s) { return texels_along(ray, minimum_step); }
 
+bool looks_for_bumps() { return false; }
+
 Trace trace(ReliefRay ray) {
     return refine(ray, search_cones(ray, max_steps));
 }

@@ -4,6 +4,8 @@ vec2 tap_cone(ReliefRay ray, float s) { return tap_map(cones, point_on_ray(ray, 
 
 float least_step(ReliefRay ray, float s) { return 0.0; }
 
+bool looks_for_bumps() { return false; }
+
 // A cone that a ray pierces at most once leaves it above the surface or just past its first crossing, which halving finds.
 Trace trace(ReliefRay ray) {
     ConeSearch search = search_cones(ray, max_steps);

@@ -9,7 +9,7 @@ const float slowest = 1e-12;
 vec2 tap_cone(ReliefRay ray, float s) { return tap_map(cones, point_on_ray(ray, s), 0.0).rg; }
 
 // To the nearest wall of the bilinear cell: within the cell a ray that comes from above crosses the surface once, but for
-// bumps of less than a cell.
+// bumps of less than a cell, which `bump_check` looks for.
 float least_step(ReliefRay ray, float s) {
     if (!minimum_step) return 0.0;
     vec2 size = vec2(height_map_size());
@@ -18,6 +18,8 @@ float least_step(ReliefRay ray, float s) {
     vec2 walls = (way / size + beyond_wall) / max(abs(ray.max_offset), vec2(slowest));
     return min(walls.x, walls.y);
 }
+
+bool looks_for_bumps() { return minimum_step && bump_check; }
 
 Trace trace(ReliefRay ray) {
     return refine(ray, search_cones(ray, max_steps));

@@ -229,4 +229,12 @@ TEST_F(RobustCone, NeverGoesBeyondTheFirstHitAtAnyStepCount) {
     }
 }
 
+TEST_F(RobustCone, PassesBumpsWithinACellWhereItDoesNotLookForThem) {
+    const Technique technique = shipped("robust_cone");
+    const CoordinateScene scene(device(), procedural("spikes", {128, 128}));
+    View view = parallel_view(75, -67);
+    view.relief.boundary = Boundary::repeat;
+    EXPECT_GT(beyond(technique, with_values(technique.manifest, {{"bump_check", false}}), scene, view, {}), 0.001);
+}
+
 }  // namespace reliefbench::test
