@@ -1,9 +1,9 @@
 #include "cli/command.hpp"
+#include "cli/comparison_choice.hpp"
 #include "cli/comparison_output.hpp"
 #include "cli/recorded_noise.hpp"
 #include "cli/run_sides.hpp"
 #include "cli/stored_runs.hpp"
-#include "cli/threshold.hpp"
 #include "compare/compare_runs.hpp"
 
 #include <CLI/CLI.hpp>
@@ -17,16 +17,13 @@ namespace {
 
 struct CompareCommandOptions {
     std::vector<std::string> folders;
-    std::string threshold = "2%";
-    bool across_devices = false;
+    ComparisonChoice comparison;
     ComparisonOutput output;
 };
 
 ExitCode compare(const CompareCommandOptions& options) {
     options.output.check();
-    CompareOptions compare_options;
-    compare_options.threshold = parse_threshold(options.threshold, "--threshold");
-    compare_options.across_devices = options.across_devices;
+    const CompareOptions compare_options = options.comparison.options();
     const RunSides sides = split_sides(options.folders, "compare");
     // Together, so that a run on both sides is found.
     std::vector<std::string> folders = sides.base;
@@ -47,12 +44,7 @@ void add_compare_command(CLI::App& app, ChosenCommand& chosen) {
     command->add_option("runs", options->folders, "Folders of runs; two need no --")
         ->required()
         ->type_name("BASE... [--] NEW");
-    command
-        ->add_option("--threshold", options->threshold,
-                     "The smallest change of time that matters, written 2% or 0.02; default: 2%")
-        ->type_name("FRACTION");
-    command->add_flag("--across-devices", options->across_devices,
-                      "Compare runs of different devices, whose times say nothing of a change in code");
+    options->comparison.add_to(*command);
     options->output.add_to(*command);
     command->footer(
         "Exit code 0 when nothing is worse, 1 when a cell is slower or its quality worse, 3 when some are undecided or "

@@ -1,4 +1,5 @@
 #include "cli/command.hpp"
+#include "cli/comparison_choice.hpp"
 #include "cli/export_target.hpp"
 #include "cli/recorded_noise.hpp"
 #include "cli/report_page.hpp"
@@ -6,7 +7,6 @@
 #include "cli/results.hpp"
 #include "cli/run_sides.hpp"
 #include "cli/stored_runs.hpp"
-#include "cli/threshold.hpp"
 #include "compare/compare_runs.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -26,8 +26,7 @@ namespace {
 struct ReportOptions {
     std::vector<std::string> folders;
     std::string output;
-    std::string threshold = "2%";
-    bool across_devices = false;
+    ComparisonChoice comparison;
     double picture_megabytes = 7;
 };
 
@@ -62,9 +61,7 @@ PageComparison compare_sides(const std::vector<StoredRun>& runs, std::size_t bas
 
 ExitCode report(const ReportOptions& options) {
     check_export_file(options.output, "--output");
-    CompareOptions compare_options;
-    compare_options.threshold = parse_threshold(options.threshold, "--threshold");
-    compare_options.across_devices = options.across_devices;
+    const CompareOptions compare_options = options.comparison.options();
     const std::string page = read_report_page();
 
     const std::optional<RunSides> sides = compared_sides(options.folders);
@@ -102,12 +99,7 @@ void add_report_command(CLI::App& app, ChosenCommand& chosen) {
         ->required()
         ->type_name("RUN... [-- NEW...]");
     command->add_option("-o,--output", options->output, "The file to write or replace")->required()->type_name("FILE");
-    command
-        ->add_option("--threshold", options->threshold,
-                     "The smallest change of time that matters, written 2% or 0.02; default: 2%")
-        ->type_name("FRACTION");
-    command->add_flag("--across-devices", options->across_devices,
-                      "Compare runs of different devices, whose times say nothing of a change in code");
+    options->comparison.add_to(*command);
     command
         ->add_option("--picture-megabytes", options->picture_megabytes,
                      "Room for pictures of runs that kept them (\"images\": true); default: 7")

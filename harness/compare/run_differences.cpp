@@ -1,5 +1,6 @@
 #include "compare/run_differences.hpp"
 
+#include "core/json_lookup.hpp"
 #include "core/suggest.hpp"
 
 #include <fmt/format.h>
@@ -11,25 +12,9 @@ namespace reliefbench {
 
 namespace {
 
-/// Null where a member on the way is missing: records of other versions lack some.
-Json value_at(const Json& json, std::initializer_list<const char*> path) {
-    const Json* value = &json;
-    for (const char* key : path) {
-        if (!value->is_object() || !value->contains(key)) return nullptr;
-        value = &value->at(key);
-    }
-    return *value;
-}
-
+using reliefbench::value_at;
 Json value_at(const StoredRun& run, std::initializer_list<const char*> path) {
     return value_at(run.run.run, path);
-}
-
-/// As a reader wants it: strings without quotes.
-std::string text_of(const Json& value) {
-    if (value.is_null()) return "unknown";
-    if (value.is_string()) return value.get<std::string>();
-    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 /// Of `object` what `other` has too.

@@ -1,5 +1,6 @@
 #include "store/resume.hpp"
 
+#include "core/json_lookup.hpp"
 #include "store/read_samples.hpp"
 
 #include <fmt/format.h>
@@ -14,15 +15,6 @@ namespace {
 
 constexpr const char* cpu_device = "CPU";
 
-Json value_at(const Json& json, std::initializer_list<const char*> path) {
-    const Json* value = &json;
-    for (const char* key : path) {
-        if (!value->is_object() || !value->contains(key)) return nullptr;
-        value = &value->at(key);
-    }
-    return *value;
-}
-
 /// Paths of files by their names: what a height map holds is compared by its hash.
 Json without_folders(Json json) {
     if (json.is_structured()) {
@@ -33,11 +25,6 @@ Json without_folders(Json json) {
         if (path.is_absolute()) json = path.filename().string();
     }
     return json;
-}
-
-std::string text_of(const Json& value) {
-    if (value.is_null()) return "unknown";
-    return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 /// The first places at which two configurations differ, as JSON pointers.

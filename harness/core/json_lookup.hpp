@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/json.hpp"
+
+#include <initializer_list>
+#include <string>
+
+namespace reliefbench {
+
+/// The member of a record at the end of the path. Null where one on the way is missing: records of other versions lack
+/// some.
+Json value_at(const Json& json, std::initializer_list<const char*> path);
+
+/// A value of a record as a reader wants it: strings without quotes, "unknown" for null.
+std::string text_of(const Json& value);
+
+}  // namespace reliefbench
