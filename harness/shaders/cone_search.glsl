@@ -39,6 +39,19 @@ NearFirst skip(NearFirst search, vec2 way, float square_reach) {
     return search;
 }
 
+// Goes on by a texel, whose `offset` in texels and `way` in texture coordinates it tells; false where that lies beyond the
+// reach, and the search went past all that does.
+bool take_within(float square_reach, inout NearFirst search, out ivec2 offset, out vec2 way) {
+    offset = offset_of(search);
+    way = vec2(offset) * (1.0 / vec2(height_map_size()));
+    bool within = dot(way, way) < square_reach;
+    if (within)
+        search = next(search);
+    else
+        search = skip(search, way, square_reach);
+    return within;
+}
+
 // The narrowest ratio of the slices before, squared.
 float folded_square_ratio() {
     if (slice_begin() == 0) return widest_cone * widest_cone;

@@ -17,20 +17,13 @@ float search_all(ivec2 texel) {
 
 // The same ratios: near texels come first, and none that lies beyond the reach of the cone found so far is looked at.
 float search_pruned(ivec2 texel) {
-    vec2 texel_size = 1.0 / vec2(height_map_size());
     float narrowest = folded_square_ratio();
     float apex = tap_height_texel(texel);
     for (NearFirst search = near_first(slice_begin()); search.number < slice_end();) {
-        ivec2 offset = offset_of(search);
-        vec2 way = vec2(offset) * texel_size;
-        float square_distance = dot(way, way);
-        float square_reach = square_reach_of(narrowest, apex);
-        if (square_distance >= square_reach) {
-            search = skip(search, way, square_reach);
-        } else {
-            narrowest = min(narrowest, square_ratio_to(square_distance, tap_height_texel(texel + offset), apex));
-            search = next(search);
-        }
+        ivec2 offset;
+        vec2 way;
+        if (take_within(square_reach_of(narrowest, apex), search, offset, way))
+            narrowest = min(narrowest, square_ratio_to(dot(way, way), tap_height_texel(texel + offset), apex));
     }
     return sqrt(narrowest);
 }

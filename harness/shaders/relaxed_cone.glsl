@@ -12,20 +12,14 @@ const float steepest = 1e-6;
 // The ratio along such a ray only grows. So it is followed only while it is below the narrowest so far, which changes no
 // result and also ends the search at the reach of a conservative cone.
 float search_published(ivec2 texel, int search_steps) {
-    vec2 texel_size = 1.0 / vec2(height_map_size());
-    vec2 axis = (vec2(texel) + 0.5) * texel_size;
+    vec2 axis = (vec2(texel) + 0.5) / vec2(height_map_size());
     float narrowest = folded_square_ratio();
     float apex = tap_height_texel(texel);
     for (NearFirst search = near_first(slice_begin()); search.number < slice_end();) {
-        ivec2 offset = offset_of(search);
-        vec2 way = vec2(offset) * texel_size;
+        ivec2 offset;
+        vec2 way;
+        if (!take_within(square_reach_of(narrowest, apex), search, offset, way)) continue;
         float square_distance = dot(way, way);
-        float square_reach = square_reach_of(narrowest, apex);
-        if (square_distance >= square_reach) {
-            search = skip(search, way, square_reach);
-            continue;
-        }
-        search = next(search);
         float h = tap_height_texel(texel + offset);
         if (square_distance == 0.0 || square_ratio_to(square_distance, h, apex) >= narrowest) continue;
 
@@ -60,19 +54,13 @@ bool falls_beyond(ivec2 texel, float h, vec2 way) {
 // from the axis, and a ray that is nearly level leaves it wherever it does. Where it falls, the ratio to it only grows on
 // the way down; so the upper ends of its falling edges are all that narrows the cone.
 float search_falling_edges(ivec2 texel) {
-    vec2 texel_size = 1.0 / vec2(height_map_size());
     float narrowest = folded_square_ratio();
     float apex = tap_height_texel(texel);
     for (NearFirst search = near_first(slice_begin()); search.number < slice_end();) {
-        ivec2 offset = offset_of(search);
-        vec2 way = vec2(offset) * texel_size;
+        ivec2 offset;
+        vec2 way;
+        if (!take_within(square_reach_of(narrowest, apex), search, offset, way)) continue;
         float square_distance = dot(way, way);
-        float square_reach = square_reach_of(narrowest, apex);
-        if (square_distance >= square_reach) {
-            search = skip(search, way, square_reach);
-            continue;
-        }
-        search = next(search);
         float h = tap_height_texel(texel + offset);
         float there = square_ratio_to(square_distance, h, apex);
         if (there < narrowest && falls_beyond(texel + offset, h, way)) narrowest = there;

@@ -14,20 +14,14 @@ bvec4 quarters_of(vec2 way) {
 // The search of conservative_cone.glsl, within the reach of the widest of the four. The nearest repeat of a texel in one
 // quarter may not be the nearest of all: the four repeats around are looked at.
 vec4 search_quadrants(ivec2 texel) {
-    vec2 texel_size = 1.0 / vec2(height_map_size());
     vec4 narrowest = vec4(widest_cone * widest_cone);
     if (slice_begin() > 0) narrowest = folded_map() * folded_map();
     float apex = tap_height_texel(texel);
     for (NearFirst search = near_first(slice_begin()); search.number < slice_end();) {
-        ivec2 offset = offset_of(search);
-        vec2 way = vec2(offset) * texel_size;
+        ivec2 offset;
+        vec2 way;
         float widest = max(max(narrowest.x, narrowest.y), max(narrowest.z, narrowest.w));
-        float square_reach = square_reach_of(widest, apex);
-        if (dot(way, way) >= square_reach) {
-            search = skip(search, way, square_reach);
-            continue;
-        }
-        search = next(search);
+        if (!take_within(square_reach_of(widest, apex), search, offset, way)) continue;
         float h = tap_height_texel(texel + offset);
         if (h <= apex) continue;
         vec2 onward = vec2(way.x > 0.0 ? -1.0 : 1.0, way.y > 0.0 ? -1.0 : 1.0);
