@@ -1,5 +1,6 @@
 #include "cli/command.hpp"
 #include "cli/comparison_output.hpp"
+#include "cli/device_lock.hpp"
 #include "cli/duration.hpp"
 #include "cli/progress_printer.hpp"
 #include "cli/run_sources.hpp"
@@ -42,6 +43,7 @@ struct AbOptions {
     std::vector<std::string> filters;
     TechniqueOptions library;
     DeviceChoice device;
+    DeviceSharing sharing;
     ComparisonOutput output;
 };
 
@@ -126,6 +128,7 @@ ExitCode compare_live(const AbOptions& options) {
 
     const std::vector<HeightMapRecord> maps = inspect_height_maps(sources.cells);
     const gpu::Device device(options.device.options);
+    const std::optional<DeviceLock> lock = options.sharing.lock(device.info());
     const Json record = make_run_record({sources.configuration, sources.library, sources.cells, maps, device});
     fmt::print(stderr, "{} cells on {}, base: {}\n", sources.cells.size(), device.info().name, baseline.description);
     VariantOutcome outcome;
@@ -184,6 +187,7 @@ void add_ab_command(CLI::App& app, ChosenCommand& chosen) {
         ->type_name("DIR");
     options->library.add_to(*command);
     options->device.add_to(*command);
+    options->sharing.add_to(*command);
     options->output.add_to(*command);
     command->footer(
         "The comparison goes to standard output, progress to standard error. Exit codes: 0 nothing slower or worse;\n"

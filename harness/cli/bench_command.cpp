@@ -1,5 +1,6 @@
 #include "cli/bench_cells.hpp"
 #include "cli/command.hpp"
+#include "cli/device_lock.hpp"
 #include "cli/run_sources.hpp"
 #include "cli/shared_options.hpp"
 #include "core/error.hpp"
@@ -30,6 +31,7 @@ struct BenchOptions {
     std::vector<std::string> filters;
     TechniqueOptions library;
     DeviceChoice device;
+    DeviceSharing sharing;
     /// What is for Google Benchmark.
     std::vector<std::string> flags;
 };
@@ -185,10 +187,12 @@ ExitCode bench(const BenchOptions& options) {
 
     const bool only_list = is_set(options.flags, "list_tests");
     std::optional<gpu::Device> device;
+    std::optional<DeviceLock> lock;
     std::optional<BenchCells> cells;
     if (!only_list) {
         inspect_height_maps(sources.cells);
         device.emplace(options.device.options);
+        lock = options.sharing.lock(device->info());
         add_context(device->info());
         cells.emplace(*device, sources.library, sources.configuration, sources.cells);
     }
@@ -235,6 +239,7 @@ void add_bench_command(CLI::App& app, ChosenCommand& chosen) {
         ->type_name("EXPR");
     options->library.add_to(*command);
     options->device.add_to(*command);
+    options->sharing.add_to(*command);
     command->allow_extras();
     command->footer(
         "Google Benchmark's flags: --benchmark_filter=REGEX, --benchmark_list_tests, --benchmark_repetitions=N,\n"

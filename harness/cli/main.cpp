@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -64,6 +65,8 @@ std::string usage_complaint(const CLI::App& app, const CLI::ParseError& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    // A file that may not grow (ulimit -f) is a failed write, which is told, not the end.
+    std::signal(SIGXFSZ, SIG_IGN);
     CLI::App app{"Measures techniques for drawing surface relief: GPU time against error from the ground truth.",
                  "reliefbench"};
     app.set_version_flag("--version", RELIEFBENCH_VERSION);
@@ -74,7 +77,7 @@ int main(int argc, char** argv) {
         "Environment: RELIEFBENCH_DEVICE, the device unless --device says otherwise; RELIEFBENCH_DATA_DIR, the folder\n"
         "  of techniques/, configs/ and harness/shaders/; RELIEFBENCH_STATE_DIR, where what `selfcheck` finds is "
         "kept;\n"
-        "  NO_COLOR, no colours.\n"
+        "  RELIEFBENCH_SHARE_DEVICE=1, as --share-device; NO_COLOR, no colours.\n"
         "`reliefbench COMMAND --help` shows the options of a command and an example.\n");
     ChosenCommand chosen;
     add_list_command(app, chosen);

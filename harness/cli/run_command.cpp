@@ -1,37 +1,24 @@
 #include "cli/colour_choice.hpp"
 #include "cli/command.hpp"
-#include "cli/export_target.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/progress_printer.hpp"
-#include "cli/results.hpp"
-#include "cli/run_sources.hpp"
+#include "cli/device_lock.hpp"
+#include "cli/duration.hpp"
+#include "cli/run_worker.hpp"
 #include "cli/shard_choice.hpp"
 #include "cli/shared_options.hpp"
-#include "cli/terminal.hpp"
+#include "cli/supervisor.hpp"
 #include "core/error.hpp"
-#include "core/log.hpp"
 #include "core/suggest.hpp"
-#include "measure/clock.hpp"
-#include "measure/draw_subject.hpp"
-#include "measure/run.hpp"
-#include "measure/run_record.hpp"
-#include "measure/run_summary.hpp"
-#include "measure/shared_inputs.hpp"
 #include "report/run_format.hpp"
-#include "store/resume.hpp"
 #include "store/run_folder.hpp"
-#include "technique/map_cache.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <ctime>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 namespace reliefbench {
 
@@ -48,9 +35,11 @@ struct RunOptions {
     std::string format = run_format_names().front();
     std::string shard;
     bool dry_run = false;
+    std::string pass_timeout = "10s";
     ColourChoice colour;
     TechniqueOptions library;
     DeviceChoice device;
+    DeviceSharing sharing;
     PreparationOptions preparation;
     std::vector<std::string> command_line;
 };
@@ -79,146 +68,34 @@ std::filesystem::path output_folder(const RunOptions& options, const Configurati
     return std::filesystem::path("results") / fmt::format("{}-{:%Y%m%d-%H%M%S}", configuration.name, now);
 }
 
-void warn_of_constant_maps(const std::vector<HeightMapRecord>& maps) {
-    for (const HeightMapRecord& map : maps) {
-        if (map.constant) {
-            log_warning("height map '{}' is constant: there is no relief in it, and errors say nothing",
-                        map.source.name);
-        }
-    }
-}
-
-/// run.json of a run that is gone on with: as it was, with a note of when, where and how it was gone on with.
-Json resumed_record(Json recorded, const Json& now, const std::vector<std::string>& differences) {
-    Json note;
-    for (const char* part : {"environment", "device", "command_line"})
-        note[part] = now.at(part);
-    note["differences"] = differences;
-    recorded["resumed"].push_back(std::move(note));
-    return recorded;
-}
-
-struct OpenedRun {
-    std::unique_ptr<RunWriter> writer;
-    EarlierWork earlier;
-};
-
-/// Goes on with the run in the folder, as far as it is the same one.
-OpenedRun resume_run(const std::filesystem::path& folder, const Json& now, bool force) {
-    const Json recorded = read_run_record(folder);
-    const std::vector<std::string> differences = resume_differences(recorded, now);
-    if (!differences.empty() && !force) {
-        fail("{} cannot be resumed: {}; --resume=force goes on all the same and marks the cells", folder.string(),
-             join(differences, "; "));
-    }
-    for (const std::string& difference : differences)
-        log_warning("resuming although {}", difference);
-    OpenedRun opened;
-    opened.writer =
-        std::make_unique<RunWriter>(folder, resumed_record(recorded, now, differences), RunWriter::Continue{});
-    for (const std::string& repair : opened.writer->repairs())
-        log_warning("{}: {}", folder.string(), repair);
-    opened.earlier = read_earlier_work(folder, draw_pass);
-    opened.earlier.forced = !differences.empty();
-    return opened;
-}
-
-OpenedRun open_run(const std::filesystem::path& folder, const Json& record, const std::string& resume) {
-    if (!resume.empty()) {
-        if (holds_run(folder)) return resume_run(folder, record, resume == "force");
-        remove_unstarted_run(folder);
-    }
-    return {std::make_unique<RunWriter>(folder, record), {}};
-}
-
-ExitCode report_failures(const std::vector<CellResult>& cells) {
-    std::size_t failures = 0;
-    for (const CellResult& cell : cells) {
-        if (cell.status == CellStatus::failed) {
-            ++failures;
-            fmt::print(stderr, "reliefbench: cell failed: {}: {}\n", cell.cell, cell.reason);
-        }
-    }
-    return failures > 0 ? ExitCode::cells_failed : ExitCode::done;
-}
-
-/// As a shell takes it.
-std::string quoted_word(const std::filesystem::path& path) {
-    const std::string text = path.string();
-    if (text.find_first_of(" '\"\\$`*?;&|<>()") == std::string::npos) return text;
-    std::string quoted = "'";
-    for (const char character : text) {
-        quoted += character == '\'' ? std::string("'\\''") : std::string(1, character);
-    }
-    return quoted + "'";
-}
-
-/// Where the table is not asked for, standard output is for another program.
-void print_outcome(const RunOutcome& outcome, const Json& record, const RunOptions& options) {
-    const RunFormat format = parse_run_format(options.format);
-    const TableStyle style{.columns = std::min(table_columns(), TableStyle().columns),
-                           .colour = options.colour.is_wanted()};
-    print_results(format_run({record, outcome.cells}, format, style));
-    const std::string summary = format_run_summary(outcome, record.at("empty_pass"));
-    if (format == RunFormat::table) {
-        print_results(summary);
-    } else {
-        fmt::print(stderr, "{}", summary);
-    }
+RunJob make_job(const RunOptions& options) {
+    parse_run_format(options.format);
+    RunJob job{.sources = read_run_sources(options.configuration, options.axes, options.filters, options.library),
+               .resume = options.resume,
+               .format = options.format,
+               .colour = options.colour.is_wanted(),
+               .exports = parse_export_targets(options.exports),
+               .device = options.device.options,
+               .sharing = options.sharing,
+               .command_line = options.command_line};
+    job.shard = chosen_shard(options.shard, read_json_file(options.configuration));
+    if (job.shard) job.sources.cells = cells_of_shard(job.sources.cells, *job.shard);
+    if (options.preparation.limit_s) set_preparation_limit(job.sources.configuration, *options.preparation.limit_s);
+    return job;
 }
 
 ExitCode run(const RunOptions& options) {
-    const double start_s = steady_clock().seconds();
-    parse_run_format(options.format);
-    const std::vector<ExportTarget> exports = parse_export_targets(options.exports);
-    RunSources sources = read_run_sources(options.configuration, options.axes, options.filters, options.library);
-    const std::optional<Shard> shard = chosen_shard(options.shard, read_json_file(options.configuration));
-    if (shard) sources.cells = cells_of_shard(sources.cells, *shard);
-    if (options.preparation.limit_s) set_preparation_limit(sources.configuration, *options.preparation.limit_s);
-    if (options.dry_run) return print_plan(sources.cells);
-
-    const std::vector<HeightMapRecord> maps = inspect_height_maps(sources.cells);
-    warn_of_constant_maps(maps);
-    const gpu::Device device(options.device.options);
-    Json record = make_run_record({sources.configuration, sources.library, sources.cells, maps, device});
-    record["command_line"] = options.command_line;
-    record["filters"] = sources.filters;
-    if (shard) record["shard"] = {{"index", shard->index}, {"count", shard->count}};
-    record["technique_directories"] = sources.technique_directories;
+    const double pass_timeout_s = parse_duration(options.pass_timeout, "--pass-timeout");
+    if (options.dry_run) return print_plan(make_job(options).sources.cells);
+    const std::unique_ptr<WorkerStatus> status = take_worker_status();
+    if (!status) return supervise({options.command_line, pass_timeout_s, options.pass_timeout});
     if (!options.resume.empty() && options.output.empty()) fail("--resume needs -o, the folder of the run");
-    OpenedRun opened = open_run(output_folder(options, sources.configuration), record, options.resume);
-    RunWriter& writer = *opened.writer;
-    fmt::print(stderr, "{} cells on {}, results in {}\n", sources.cells.size(), device.info().name,
-               writer.folder().string());
-    if (!opened.earlier.finished.empty()) {
-        fmt::print(stderr, "{} of them are finished already\n", opened.earlier.finished.size());
-    }
-
-    const InterruptWatch watch("\nreliefbench: interrupted; finishing the visit (interrupt again to end at once)\n");
-    RunOutcome outcome;
-    {
-        ProgressPrinter printer;
-        outcome = run_cells(device, sources.library, sources.configuration, sources.cells, writer,
-                            [&printer](const Progress& progress) { printer(progress); }, steady_clock(),
-                            {.in_flight = {},
-                             .map_cache = map_cache_folder(),
-                             .earlier = std::move(opened.earlier),
-                             .is_interrupted = [&watch] { return watch.signal() != 0; }});
-    }
-    outcome.split.total_s = steady_clock().seconds() - start_s;
-    const Json& empty_pass = record.at("empty_pass");
-    print_outcome(outcome, record, options);
-    if (outcome.interrupted) {
-        fmt::print(stderr,
-                   "reliefbench: interrupted with {} of {} cells finished; every sample is kept. Go on with\n"
-                   "    reliefbench run {} -o {} --resume\n",
-                   outcome.cells.size(), sources.cells.size(), quoted_word(writer.folder() / "run.json"),
-                   quoted_word(writer.folder()));
-        throw Interrupted{watch.signal()};
-    }
-    writer.write_summary(make_run_summary(outcome, empty_pass));
-    write_exports(writer.folder(), exports);
-    return graver(report_failures(outcome.cells), check_validation(device));
+    RunJob job = make_job(options);
+    job.takes_over = !status->folder().empty();
+    job.folder = job.takes_over ? status->folder() : output_folder(options, job.sources.configuration);
+    if (job.resume.empty() && !job.takes_over) refuse_second_run(job.folder);
+    status->set_folder(job.folder);
+    return work_on_run(job, *status);
 }
 
 }  // namespace
@@ -268,7 +145,12 @@ void add_run_command(CLI::App& app, ChosenCommand& chosen, const std::vector<std
     command->add_flag("--dry-run", options->dry_run, "Print blocks and cells; measure and write nothing");
     options->library.add_to(*command);
     options->device.add_to(*command);
+    options->sharing.add_to(*command);
     options->preparation.add_to(*command);
+    command
+        ->add_option("--pass-timeout", options->pass_timeout,
+                     "Give up a cell when one of its passes on the device takes longer: 0.5s, 10s, 2m; default: 10s")
+        ->type_name("DURATION");
     command->footer(
         "The table goes to standard output, progress to standard error. Exit code 4 when some cells failed.\n"
         "Ctrl-C (or SIGTERM) finishes the visit at hand, shows the cells that are finished and says how to go on; the\n"

@@ -1,4 +1,5 @@
 #include "cli/command.hpp"
+#include "cli/device_lock.hpp"
 #include "cli/duration.hpp"
 #include "cli/progress_printer.hpp"
 #include "cli/results.hpp"
@@ -55,6 +56,7 @@ struct SelfcheckOptions {
     std::vector<std::string> filters;
     TechniqueOptions library;
     DeviceChoice device;
+    DeviceSharing sharing;
 };
 
 /// What each process runs: the same cells, in a time that lets all processes end within the budget.
@@ -233,6 +235,7 @@ ExitCode selfcheck(SelfcheckOptions options) {
     ExitCode code = ExitCode::done;
     {
         const gpu::Device device(options.device.options);
+        const std::optional<DeviceLock> lock = options.sharing.lock(device.info());
         const std::vector<HeightMapRecord> maps = inspect_height_maps(sources.cells);
         const Json run = make_run_record({sources.configuration, sources.library, sources.cells, maps, device});
         record.machine = machine_of(run);
@@ -284,6 +287,7 @@ void add_selfcheck_command(CLI::App& app, ChosenCommand& chosen) {
         ->type_name("EXPR");
     options->library.add_to(*command);
     options->device.add_to(*command);
+    options->sharing.add_to(*command);
     command->footer(
         "What it finds is kept for this device, driver and CPU, and `reliefbench compare` uses it. Exit code 1 when\n"
         "identical code was called slower or faster.\n"

@@ -307,6 +307,8 @@ Device::Device(const DeviceOptions& options)
         choice = environment;
 
     DeviceHandles& handles = *handles_;
+    handles.on_submit = options.on_submit;
+    handles.on_end = options.on_end;
     handles.instance = make_instance(handles.context, options.validation);
     if (options.validation) handles.messenger = make_messenger(handles.instance, *handles.messages);
     std::vector<vk::raii::PhysicalDevice> devices = find_physical_devices(handles.instance);
@@ -330,6 +332,21 @@ Device::~Device() = default;
 
 const DeviceInfo& Device::info() const {
     return handles_->info;
+}
+
+bool DeviceHandles::wait_until_idle() const {
+    try {
+        device.waitIdle();
+    } catch (const vk::DeviceLostError&) {
+        return false;
+    } catch (const vk::SystemError&) {
+        // It could not wait, but is not lost.
+    }
+    return true;
+}
+
+bool Device::is_lost() const {
+    return !handles_->wait_until_idle();
 }
 
 std::vector<std::string> Device::validation_messages() const {

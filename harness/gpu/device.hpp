@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -56,6 +57,10 @@ struct DeviceOptions {
     std::string choice;
     /// The Khronos validation layer, with synchronisation validation.
     bool validation = false;
+    /// Told before so many passes are submitted together, and when they have ended (or the device gave up on them), in
+    /// the same order: for who watches that the device does not hang. May be empty, but both or none.
+    std::function<void(int passes)> on_submit = {};
+    std::function<void()> on_end = {};
 };
 
 struct DeviceHandles;
@@ -74,6 +79,9 @@ public:
     const DeviceInfo& info() const;
     /// Warnings and errors of the validation layer so far: one of them fails a test run.
     std::vector<std::string> validation_messages() const;
+    /// Asks the driver, after something failed: a lost device does nothing any more, another Device is needed. Waits
+    /// for what the device has to do.
+    bool is_lost() const;
 
     /// For code that records Vulkan commands (gpu/handles.hpp).
     const DeviceHandles& handles() const { return *handles_; }

@@ -4,6 +4,7 @@
 #include "gpu/device.hpp"
 #include "gpu/vulkan.hpp"
 
+#include <functional>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -20,6 +21,9 @@ struct MessageLog {
 /// Vulkan's side of a Device. Members are destroyed in reverse order.
 struct DeviceHandles {
     DeviceInfo info;
+    /// DeviceOptions: who is told of submissions.
+    std::function<void(int passes)> on_submit;
+    std::function<void()> on_end;
     /// On the heap: the driver keeps its address.
     std::unique_ptr<MessageLog> messages = std::make_unique<MessageLog>();
     vk::raii::Context context{vkGetInstanceProcAddr};
@@ -32,6 +36,9 @@ struct DeviceHandles {
     vk::raii::Queue queue{nullptr};
     vk::raii::CommandPool command_pool{nullptr};
     vk::raii::PipelineCache pipeline_cache{nullptr};
+
+    /// Whether the device is still there; it has nothing to do then.
+    bool wait_until_idle() const;
 };
 
 /// Runs `action`; what Vulkan throws becomes an Error: "cannot <what> on <device>: <Vulkan's words>".

@@ -15,8 +15,8 @@ constexpr std::uint64_t forever = std::numeric_limits<std::uint64_t>::max();
 }  // namespace
 
 Recording::Recording(const Device& device, std::string what,
-                     const std::function<void(const vk::raii::CommandBuffer&)>& record)
-    : handles_(&device.handles()), what_(std::move(what)) {
+                     const std::function<void(const vk::raii::CommandBuffer&)>& record, int passes)
+    : handles_(&device.handles()), what_(std::move(what)), passes_(passes) {
     translate_errors(what_, handles_->info.name, [&] {
         vk::raii::CommandBuffers buffers(handles_->device,
                                          vk::CommandBufferAllocateInfo{.commandPool = *handles_->command_pool,
@@ -46,8 +46,14 @@ void Recording::submit() {
     translate_errors(what_, handles_->info.name, [&] {
         handles_->device.resetFences(*fence_);
         const vk::CommandBufferSubmitInfo submitted{.commandBuffer = *commands_};
-        handles_->queue.submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &submitted},
-                                *fence_);
+        if (handles_->on_submit) handles_->on_submit(passes_);
+        try {
+            handles_->queue.submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &submitted},
+                                    *fence_);
+        } catch (const vk::SystemError&) {
+            if (handles_->on_end) handles_->on_end();
+            throw;
+        }
         under_way_ = true;
     });
 }
@@ -56,9 +62,16 @@ void Recording::wait() {
     assert(under_way_);
     under_way_ = false;
     translate_errors(what_, handles_->info.name, [&] {
-        const vk::Result result = handles_->device.waitForFences(*fence_, true, forever);
-        if (result != vk::Result::eSuccess)
-            fail("cannot {}: waiting for the device gave {}", what_, vk::to_string(result));
+        try {
+            const vk::Result result = handles_->device.waitForFences(*fence_, true, forever);
+            if (result != vk::Result::eSuccess) vk::throwResultException(result, "vkWaitForFences");
+        } catch (const vk::SystemError&) {
+            // The commands are about to be freed: what was submitted must be over.
+            handles_->wait_until_idle();
+            if (handles_->on_end) handles_->on_end();
+            throw;
+        }
+        if (handles_->on_end) handles_->on_end();
     });
 }
 

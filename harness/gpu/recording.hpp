@@ -11,8 +11,9 @@ namespace reliefbench::gpu {
 class Recording {
 public:
     /// `what` completes "cannot ..." in an Error. All that the commands wrote is visible to the host after `wait`.
-    Recording(const Device& device, std::string what,
-              const std::function<void(const vk::raii::CommandBuffer&)>& record);
+    /// `passes`: how many there are in it, of which each may take as long as DeviceOptions::on_submit's owner allows.
+    Recording(const Device& device, std::string what, const std::function<void(const vk::raii::CommandBuffer&)>& record,
+              int passes = 1);
     /// Waits for a submission that is under way.
     ~Recording();
     Recording(const Recording&) = delete;
@@ -25,6 +26,7 @@ public:
 private:
     const DeviceHandles* handles_;
     std::string what_;
+    int passes_;
     vk::raii::CommandBuffer commands_{nullptr};
     vk::raii::Fence fence_{nullptr};
     bool under_way_ = false;

@@ -18,6 +18,9 @@ namespace {
 /// A preparation that takes long is timed less often, so that a block's length stays in bounds.
 constexpr double preparation_budget_ms = 2000;
 
+/// Fraction of covered pixels: a picture with more is not the technique's.
+constexpr double most_unconverged = 0.5;
+
 /// The first run compiles in the driver: it counts only when there is no time for another. What takes little is made
 /// again though it was kept, for its times.
 Preparation time_preparation(Renderer& renderer, const Configuration& configuration,
@@ -81,6 +84,14 @@ PreparedOrSkipped prepare_cell(const gpu::Device& device, const Technique& techn
     result.prepare_ms = preparation_ms(preparation);
     result.prepare_bytes = preparation.bytes;
     result.work = summarize_work(probe);
+    if (result.work && result.work->unconverged > most_unconverged) {
+        result.status = CellStatus::failed;
+        result.reason = fmt::format(
+            "{:.0f} % of its pixels left their loop at the iteration cap, unconverged, so that its time would say "
+            "nothing; "
+            "raise its number of steps",
+            100 * result.work->unconverged);
+    }
     result.pipeline = renderer.pipeline_statistics();
     result.executable = renderer.executable_statistics();
     const Truth& truth = inputs.truth(cell.view);

@@ -130,6 +130,7 @@ private:
     /// Runs `action` on one subject; its Error is the subject's failure. What callbacks throw is not.
     template <typename Action>
     bool attempt(std::size_t subject, Action&& action) {
+        if (callbacks_.on_turn) callbacks_.on_turn(subject);
         std::string reason;
         try {
             action();

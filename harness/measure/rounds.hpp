@@ -50,6 +50,8 @@ struct RoundCallbacks {
     std::function<void(const Visit&)> on_visit;
     /// The subject is visited no more.
     std::function<void(std::size_t subject, const std::string& reason)> on_failure;
+    /// The subject is warmed up, submitted or collected now.
+    std::function<void(std::size_t subject)> on_turn;
     /// Once, when all are warm: the timing phase begins.
     std::function<void()> on_warm;
     /// After every round.

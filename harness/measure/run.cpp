@@ -1,23 +1,17 @@
 #include "measure/run.hpp"
 
-#include "core/error.hpp"
 #include "core/random.hpp"
-#include "gpu/device.hpp"
-#include "gpu/device_state.hpp"
 #include "measure/cell_figures.hpp"
 #include "measure/cell_preparation.hpp"
 #include "measure/draw_subject.hpp"
-#include "measure/motion.hpp"
 #include "measure/recent_state.hpp"
 #include "measure/rounds.hpp"
-#include "measure/run_pictures.hpp"
-#include "measure/shared_inputs.hpp"
 #include "measure/stopping_rule.hpp"
 #include "measure/time_estimate.hpp"
+#include "store/crashes.hpp"
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 #include <span>
 #include <utility>
 
@@ -57,73 +51,54 @@ int least_rounds(const SamplingSettings& sampling) {
 /// One execution of run_cells.
 class Execution {
 public:
-    Execution(const gpu::Device& device, const TechniqueLibrary& library, const Configuration& configuration,
-              const std::vector<Cell>& cells, RunWriter& writer,
+    Execution(CellSource& source, const Configuration& configuration, const std::vector<Cell>& cells, RunWriter& writer,
               const std::function<void(const Progress&)>& on_progress, const Clock& clock,
               const MeasureOptions& options)
-        : device_(device),
-          library_(library),
+        : source_(source),
           configuration_(configuration),
           cells_(cells),
           writer_(writer),
           on_progress_(on_progress),
           clock_(clock),
-          earlier_(options.earlier),
-          is_interrupted_(options.is_interrupted),
+          options_(options),
           start_s_(clock.seconds()),
-          map_cache_(options.map_cache),
-          in_flight_(options.in_flight.value_or(device.info().type == gpu::DeviceType::cpu ? 1 : 2)),
-          device_state_(gpu::open_device_state(device)),
-          recent_state_(*device_state_, clock),
+          recent_state_(source.device_state(), clock),
           rule_(make_stopping_rule(configuration.sampling)),
           estimate_(cells_to_measure(cells, options.earlier), least_rounds(configuration.sampling)),
-          inputs_(device, configuration.lighting, configuration.truth, configuration.object),
-          results_(cells.size()) {}
+          tally_(options.earlier.tally) {}
 
     RunOutcome run() {
-        for (std::size_t index = 0; index < cells_.size(); ++index) {
-            if (const auto finished = earlier_.finished.find(cells_[index].id); finished != earlier_.finished.end()) {
-                results_[index] = finished->second;
-                ++cells_done_;
-            } else if (!cells_[index].skip_reason.empty()) {
-                finish_without_timing(index, CellStatus::skipped, cells_[index].skip_reason);
-            }
+        for (const Cell& cell : cells_) {
+            if (!cell.skip_reason.empty() && !is_finished(cell))
+                finish_without_timing(cell, CellStatus::skipped, cell.skip_reason);
         }
-        if (configuration_.images) write_legends(writer_);
         const std::vector<Block> blocks = make_blocks(cells_);
         for (std::size_t block = 0; block < blocks.size() && !interrupted(); ++block) {
             const std::vector<std::size_t> unfinished = without_finished(blocks[block].cells);
             if (!unfinished.empty()) measure_block(unfinished, block, mix_bits(configuration_.seed + block));
         }
+        tell_cell({});
         split_.total_s = clock_.seconds() - start_s_;
-        split_.truth_s = inputs_.truth_seconds();
-        const bool ended_early = cells_done_ < cells_.size();
-        if (ended_early) {
-            std::erase_if(results_, [](const CellResult& result) { return result.cell.empty(); });
-        }
-        return {std::move(results_), ended_early, split_};
+        split_.truth_s = source_.truth_seconds();
+        return {tally_, tally_.cells() < cells_.size(), device_lost_, split_};
     }
 
 private:
-    struct ReadyCell {
-        std::size_t index = 0;
-        Renderer renderer;
-        CellResult result;
-    };
+    bool interrupted() const { return device_lost_ || (options_.is_interrupted && options_.is_interrupted()); }
 
-    bool interrupted() const { return is_interrupted_ && is_interrupted_(); }
+    bool is_finished(const Cell& cell) const { return options_.earlier.finished.contains(cell.id); }
 
     std::vector<std::size_t> without_finished(std::vector<std::size_t> cells) const {
-        std::erase_if(cells, [this](std::size_t index) { return earlier_.finished.contains(cells_[index].id); });
+        std::erase_if(cells, [this](std::size_t index) { return is_finished(cells_[index]); });
         return cells;
     }
 
+    void tell_cell(const std::string& cell) const {
+        if (options_.on_cell) options_.on_cell(cell);
+    }
+
     void measure_block(const std::vector<std::size_t>& cells, std::size_t number, std::uint64_t seed) {
-        std::vector<ViewKey> views;
-        for (std::size_t index : cells) {
-            views.push_back(cells_[index].view);
-        }
-        inputs_.keep_only(views);
+        source_.begin_block(cells);
         std::vector<ReadyCell> ready;
         ready.reserve(cells.size());
         for (std::span<const std::size_t> left = cells; !left.empty();) {
@@ -142,79 +117,65 @@ private:
     void make_view_ready(std::span<const std::size_t> indices, std::vector<ReadyCell>& ready) {
         std::vector<ReadyCell> of_view;
         of_view.reserve(indices.size());
-        for (std::size_t index : indices) {
+        for (const std::size_t index : indices) {
             if (interrupted()) return;
             const double begin_s = clock_.seconds();
-            std::optional<ReadyCell> cell = make_ready(index);
+            ReadyCell cell = make_ready(index);
             estimate_.add_preparation(clock_.seconds() - begin_s);
-            if (cell) {
-                of_view.push_back(std::move(*cell));
-            } else {
-                estimate_.drop_cell(0);
-            }
+            keep_ready(std::move(cell), of_view);
         }
-        if (configuration_.motion && !of_view.empty()) follow_motion(of_view);
-        if (interrupted()) return;
-        for (ReadyCell& cell : of_view) {
-            if (cell.result.status == CellStatus::ok) {
-                ready.push_back(std::move(cell));
-            } else {
-                estimate_.drop_cell(0);
-                record(cell.index, std::move(cell.result));
-            }
-        }
-    }
-
-    void follow_motion(std::vector<ReadyCell>& of_view) {
         const double begin_s = clock_.seconds();
-        std::vector<MotionSubject> subjects;
-        for (ReadyCell& cell : of_view) {
-            subjects.push_back({&cell.renderer, &cell.result});
-        }
-        measure_motion(inputs_, cells_[of_view.front().index].view, configuration_, subjects,
-                       [this](const std::string& cell) {
-                           report(cell + ", in motion");
-                           return !interrupted();
-                       });
+        source_.finish_view(of_view, [this](const std::string& stage) {
+            report(stage);
+            return !interrupted();
+        });
         estimate_.extend_preparation(clock_.seconds() - begin_s);
+        if (interrupted()) return;
+        for (ReadyCell& cell : of_view)
+            keep_ready(std::move(cell), ready);
     }
 
-    /// Empty when the cell was skipped or failed, which is then recorded.
-    std::optional<ReadyCell> make_ready(std::size_t index) {
+    ReadyCell make_ready(std::size_t index) {
         const Cell& cell = cells_[index];
         report(cell.id);
-        const LongPreparation long_preparation{
-            map_cache_, [&](const PreparationProgress& progress) { report(cell.id + ": " + describe(progress)); }};
-        std::optional<PreparedCell> prepared;
-        try {
-            PreparedOrSkipped outcome =
-                prepare_cell(device_, library_.get(cell.technique), cell, inputs_, configuration_, long_preparation);
-            if (!outcome.cell) {
-                finish_without_timing(index, CellStatus::skipped, outcome.skip_reason);
-                return std::nullopt;
-            }
-            prepared.emplace(std::move(*outcome.cell));
-        } catch (const Error& error) {
-            finish_without_timing(index, CellStatus::failed, error.what());
-            return std::nullopt;
+        if (const auto crashes = options_.earlier.crashes.find(cell.id);
+            crashes != options_.earlier.crashes.end() && crashes->second.size() >= most_crashes) {
+            ReadyCell crashed{.index = index, .result = blank_result(cell)};
+            crashed.result.status = CellStatus::failed;
+            crashed.result.reason = crashed_cell_reason(crashes->second);
+            return crashed;
         }
-        for (const auto& [pass, samples] : prepared->preparation.pass_ms) {
+        tell_cell(cell.id);
+        ReadyCell ready =
+            source_.make_ready(index, [&](const std::string& progress) { report(cell.id + ": " + progress); });
+        for (const auto& [pass, samples] : ready.preparation_ms) {
             writer_.append_samples({cell.id, pass, 0, 0, 1, samples});
             split_.samples_s += total_ms(samples) / 1000.0;
         }
-        if (configuration_.images) {
-            const DrawnCell drawn{prepared->probe, inputs_.truth(cell.view), inputs_.map(cell.view).map,
-                                  cell.view.view.relief};
-            write_cell_pictures(writer_, cell.id, drawn);
+        return ready;
+    }
+
+    /// One that cannot be sampled is recorded. None is after the one that lost the device: it would fail for that
+    /// alone.
+    void keep_ready(ReadyCell cell, std::vector<ReadyCell>& kept) {
+        if (cell.result.status == CellStatus::ok) {
+            kept.push_back(std::move(cell));
+            return;
         }
-        return ReadyCell{index, std::move(prepared->renderer), std::move(prepared->result)};
+        estimate_.drop_cell(0);
+        if (device_lost_) return;
+        note_failure(cell.result);
+        record(std::move(cell.result));
+    }
+
+    void note_failure(const CellResult& result) {
+        if (result.status == CellStatus::failed) device_lost_ = source_.is_device_lost();
     }
 
     /// One block's rounds.
     struct Sampling {
         std::size_t block = 0;
         std::vector<ReadyCell>& ready;
-        std::vector<DrawSubject> draws = {};
         /// By subject.
         std::vector<std::size_t> visits = {};
         double first_visit_s = 0;
@@ -225,30 +186,29 @@ private:
 
     void sample(std::vector<ReadyCell>& ready, std::size_t block, std::uint64_t seed) {
         Sampling sampling{.block = block, .ready = ready};
-        sampling.draws.reserve(ready.size());
         std::vector<Subject*> subjects;
         for (ReadyCell& cell : ready) {
-            sampling.draws.emplace_back(timer_of(cell.renderer), configuration_.sampling);
-            subjects.push_back(&sampling.draws.back());
+            subjects.push_back(cell.subject.get());
         }
         sampling.visits.resize(ready.size());
-        RoundSampling rounds{
-            .samples_per_visit = configuration_.sampling.samples_per_visit, .seed = seed, .in_flight = in_flight_};
+        RoundSampling rounds{.samples_per_visit = configuration_.sampling.samples_per_visit,
+                             .seed = seed,
+                             .in_flight = source_.in_flight()};
         go_on_from_earlier(ready, rounds);
         std::vector<SampledSubject> sampled = sample_in_rounds(subjects, *rule_, rounds, callbacks(sampling));
         split_.timing_s += sampling.last_visit_s - sampling.first_visit_s;
         for (std::size_t subject = 0; subject < ready.size(); ++subject) {
             const bool done = sampled[subject].stop || ready[subject].result.status == CellStatus::failed;
-            if (done) finish(ready[subject], std::move(sampled[subject]), sampling.draws[subject].repeats());
+            if (done) finish(ready[subject], std::move(sampled[subject]), ready[subject].subject->repeats());
         }
     }
 
     void go_on_from_earlier(const std::vector<ReadyCell>& ready, RoundSampling& rounds) const {
         for (const ReadyCell& cell : ready) {
-            const auto found = earlier_.visits.find(cell.result.cell);
-            rounds.earlier.push_back(found == earlier_.visits.end() ? EarlierSamples{}
-                                                                    : earlier_samples(found->second));
-            if (found != earlier_.visits.end())
+            const auto found = options_.earlier.visits.find(cell.result.cell);
+            rounds.earlier.push_back(found == options_.earlier.visits.end() ? EarlierSamples{}
+                                                                            : earlier_samples(found->second));
+            if (found != options_.earlier.visits.end())
                 rounds.first_round = std::max(rounds.first_round, found->second.back().round + 1);
         }
         // Rounds that go on are not in the order of those at the start.
@@ -263,10 +223,13 @@ private:
         };
         callbacks.on_visit = [this, &sampling](const Visit& visit) { keep(visit, sampling); };
         callbacks.on_failure = [this, &sampling](std::size_t subject, const std::string& reason) {
+            estimate_.drop_cell(sampling.visits[subject]);
+            if (device_lost_) return;  // which another cell did
             sampling.ready[subject].result.status = CellStatus::failed;
             sampling.ready[subject].result.reason = reason;
-            estimate_.drop_cell(sampling.visits[subject]);
+            note_failure(sampling.ready[subject].result);
         };
+        callbacks.on_turn = [this, &sampling](std::size_t subject) { tell_cell(sampling.ready[subject].result.cell); };
         callbacks.on_stop = [this, &sampling](std::size_t subject, StopReason) {
             estimate_.finish_cell(sampling.visits[subject]);
         };
@@ -278,7 +241,7 @@ private:
 
     void keep(const Visit& visit, Sampling& sampling) {
         const ReadyCell& cell = sampling.ready[visit.subject];
-        const int repeats = sampling.draws[visit.subject].repeats();
+        const int repeats = cell.subject->repeats();
         for (const auto& [pass, samples] : visit.samples) {
             writer_.append_samples(
                 {cell.result.cell, pass, visit.round, visit.order, repeats, samples, !visit.counted});
@@ -321,22 +284,21 @@ private:
             cell.result.ns_per_pixel =
                 draw->second.median_ms * 1e6 / static_cast<double>(cell.result.work->covered_pixels);
         }
-        record(cell.index, std::move(cell.result));
+        record(std::move(cell.result));
     }
 
-    void finish_without_timing(std::size_t index, CellStatus status, const std::string& reason) {
-        CellResult result = blank_result(cells_[index]);
+    void finish_without_timing(const Cell& cell, CellStatus status, const std::string& reason) {
+        CellResult result = blank_result(cell);
         result.status = status;
         result.reason = reason;
-        record(index, std::move(result));
+        record(std::move(result));
     }
 
-    void record(std::size_t index, CellResult result) {
-        result.forced_resume = earlier_.forced;
+    void record(CellResult result) {
+        result.forced_resume = options_.earlier.forced;
         writer_.append_cell(result);
-        results_[index] = std::move(result);
-        ++cells_done_;
-        report(results_[index].cell);
+        tally_.add(result);
+        report(result.cell);
     }
 
     void report(const std::string& current) const {
@@ -344,7 +306,7 @@ private:
             return;
         }
         Progress progress;
-        progress.cells_done = cells_done_;
+        progress.cells_done = tally_.cells();
         progress.cells_total = cells_.size();
         progress.current = current;
         progress.elapsed_s = clock_.seconds() - start_s_;
@@ -352,35 +314,28 @@ private:
         on_progress_(progress);
     }
 
-    const gpu::Device& device_;
-    const TechniqueLibrary& library_;
+    CellSource& source_;
     const Configuration& configuration_;
     const std::vector<Cell>& cells_;
     RunWriter& writer_;
     const std::function<void(const Progress&)>& on_progress_;
     const Clock& clock_;
-    const EarlierWork& earlier_;
-    const std::function<bool()>& is_interrupted_;
+    const MeasureOptions& options_;
     double start_s_;
-    std::filesystem::path map_cache_;
-    std::size_t in_flight_;
-    std::unique_ptr<gpu::DeviceStateSource> device_state_;
     RecentState recent_state_;
     std::unique_ptr<StoppingRule> rule_;
     TimeEstimate estimate_;
-    SharedInputs inputs_;
-    std::vector<CellResult> results_;
-    std::size_t cells_done_ = 0;
+    RunTally tally_;
+    bool device_lost_ = false;
     TimeSplit split_;
 };
 
 }  // namespace
 
-RunOutcome run_cells(const gpu::Device& device, const TechniqueLibrary& library, const Configuration& configuration,
-                     const std::vector<Cell>& cells, RunWriter& writer,
-                     const std::function<void(const Progress&)>& on_progress, const Clock& clock,
+RunOutcome run_cells(CellSource& source, const Configuration& configuration, const std::vector<Cell>& cells,
+                     RunWriter& writer, const std::function<void(const Progress&)>& on_progress, const Clock& clock,
                      const MeasureOptions& options) {
-    return Execution(device, library, configuration, cells, writer, on_progress, clock, options).run();
+    return Execution(source, configuration, cells, writer, on_progress, clock, options).run();
 }
 
 }  // namespace reliefbench

@@ -1,23 +1,18 @@
 #pragma once
 
+#include "measure/cell_source.hpp"
 #include "measure/clock.hpp"
-#include "store/cell_result.hpp"
 #include "store/resume.hpp"
 #include "store/run_folder.hpp"
+#include "store/run_tally.hpp"
 #include "sweep/configuration.hpp"
-#include "technique/technique.hpp"
 
 #include <cstddef>
-#include <filesystem>
 #include <functional>
-#include <optional>
+#include <string>
 #include <vector>
 
 namespace reliefbench {
-
-namespace gpu {
-class Device;
-}
 
 /// What a run tells while it goes on.
 struct Progress {
@@ -43,22 +38,21 @@ struct TimeSplit {
 };
 
 struct MeasureOptions {
-    /// Visits that the device may have at once; empty: one on a CPU device, where the host's work would take processors
-    /// away from the samples, else two.
-    std::optional<std::size_t> in_flight = {};
-    /// Where derived maps that take long to make are kept (technique/map_cache.hpp); empty: nowhere.
-    std::filesystem::path map_cache = {};
     /// Of an interrupted execution of the same cells: finished ones stay as they are, the others go on with the rounds
-    /// they have.
+    /// they have. One that too many worker processes died on is failed without another try.
     EarlierWork earlier = {};
     /// Whether to end early, with what is done; asked between any two pieces of work. May be empty.
     std::function<bool()> is_interrupted = {};
+    /// Told the cell that is worked on, whenever it changes; empty between cells. May be empty.
+    std::function<void(const std::string& cell)> on_cell = {};
 };
 
 struct RunOutcome {
-    /// Of an interrupted run those that are finished.
-    std::vector<CellResult> cells;
-    bool interrupted = false;
+    /// Of the finished cells; they themselves are in the run's folder.
+    RunTally tally;
+    /// Not all cells are finished: it was told to end, or the device was lost.
+    bool ended_early = false;
+    bool device_lost = false;
     TimeSplit split;
 };
 
@@ -66,10 +60,10 @@ struct RunOutcome {
 /// motion where they are asked for), warm up, sample in rounds, then append the block's cells to the run's folder and
 /// free its truths and pipelines. What fails is a cell's failure; an Error of the store (a full disk) ends the run.
 /// When it is interrupted the visits at hand are finished; every sample is in the folder then, so that the run can be
-/// gone on with.
-RunOutcome run_cells(const gpu::Device& device, const TechniqueLibrary& library, const Configuration& configuration,
-                     const std::vector<Cell>& cells, RunWriter& writer,
-                     const std::function<void(const Progress&)>& on_progress, const Clock& clock = steady_clock(),
-                     const MeasureOptions& options = {});
+/// gone on with. So it is when the device is lost: the cell that lost it is failed, the others wait for a new device.
+/// Finished cells are in the folder only: memory does not grow with their number.
+RunOutcome run_cells(CellSource& source, const Configuration& configuration, const std::vector<Cell>& cells,
+                     RunWriter& writer, const std::function<void(const Progress&)>& on_progress,
+                     const Clock& clock = steady_clock(), const MeasureOptions& options = {});
 
 }  // namespace reliefbench

@@ -16,21 +16,9 @@ namespace {
 constexpr std::array stop_reasons{StopReason::precise, StopReason::stalled, StopReason::budget, StopReason::rounds,
                                   StopReason::time};
 
-template <typename Predicate>
-std::size_t count_cells(const RunOutcome& outcome, Predicate&& predicate) {
-    return static_cast<std::size_t>(std::count_if(outcome.cells.begin(), outcome.cells.end(), predicate));
-}
-
-std::size_t count_status(const RunOutcome& outcome, CellStatus status) {
-    return count_cells(outcome, [status](const CellResult& cell) { return cell.status == status; });
-}
-
-std::size_t count_stops(const RunOutcome& outcome, StopReason reason) {
-    return count_cells(outcome, [reason](const CellResult& cell) { return cell.stop == reason; });
-}
-
-std::size_t count_throttled_cells(const RunOutcome& outcome) {
-    return count_cells(outcome, [](const CellResult& cell) { return cell.throttled_rounds > 0; });
+std::size_t count_stops(const RunTally& tally, StopReason reason) {
+    const auto found = tally.stops.find(reason);
+    return found == tally.stops.end() ? 0 : found->second;
 }
 
 std::optional<double> utilisation(const TimeSplit& split) {
@@ -44,13 +32,11 @@ Json make_run_summary(const RunOutcome& outcome, const Json& empty_pass) {
     const TimeSplit& split = outcome.split;
     const std::optional<double> utilised = utilisation(split);
     Json json;
-    json["cells"] = {{"ok", count_status(outcome, CellStatus::ok)},
-                     {"skipped", count_status(outcome, CellStatus::skipped)},
-                     {"failed", count_status(outcome, CellStatus::failed)}};
+    json["cells"] = {{"ok", outcome.tally.ok}, {"skipped", outcome.tally.skipped}, {"failed", outcome.tally.failed}};
     for (const StopReason reason : stop_reasons) {
-        json["stop"][std::string(to_string(reason))] = count_stops(outcome, reason);
+        json["stop"][std::string(to_string(reason))] = count_stops(outcome.tally, reason);
     }
-    json["throttled_cells"] = count_throttled_cells(outcome);
+    json["throttled_cells"] = outcome.tally.throttled_cells;
     json["total_s"] = split.total_s;
     json["samples_s"] = split.samples_s;
     json["truth_s"] = split.truth_s;
@@ -75,12 +61,12 @@ std::string format_run_summary(const RunOutcome& outcome, const Json& empty_pass
         split.timing_s, 100 * *utilised, empty_pass.at("median_ms").get<double>());
     std::vector<std::string> stops;
     for (const StopReason reason : stop_reasons) {
-        if (const std::size_t cells = count_stops(outcome, reason); cells > 0) {
+        if (const std::size_t cells = count_stops(outcome.tally, reason); cells > 0) {
             stops.push_back(fmt::format("{} {}", cells, to_string(reason)));
         }
     }
     text += fmt::format("stopped: {}", join(stops));
-    if (const std::size_t cells = count_throttled_cells(outcome); cells > 0) {
+    if (const std::size_t cells = outcome.tally.throttled_cells; cells > 0) {
         text += fmt::format("; {} cells count throttled rounds", cells);
     }
     return text + '\n';

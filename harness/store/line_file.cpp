@@ -4,14 +4,16 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-
 #include <cassert>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <string>
+#include <thread>
 
 namespace reliefbench {
 
@@ -28,6 +30,22 @@ bool write_all(int descriptor, std::string_view text) {
         text.remove_prefix(static_cast<std::size_t>(written));
     }
     return true;
+}
+
+/// False when another process holds the file, and goes on to.
+bool lock(int descriptor) {
+    constexpr int tries = 40;
+    constexpr std::chrono::milliseconds between_tries{50};
+    for (int attempt = 0; attempt < tries; ++attempt) {
+        if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return true;
+        std::this_thread::sleep_for(between_tries);
+    }
+    return false;
+}
+
+bool was_removed(int descriptor) {
+    struct stat status {};
+    return ::fstat(descriptor, &status) == 0 && status.st_nlink == 0;
 }
 
 /// How many bytes of the file are whole lines.
@@ -55,7 +73,7 @@ LineFile::LineFile(const std::filesystem::path& path, Start start)
         fail("cannot {} {}: {}", start == Start::created ? "create" : "open", path_.string(), std::strerror(errno));
     }
     try {
-        if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+        if (!lock(descriptor_)) {
             fail("{} is being written by another process; wait for it, or choose another folder", path_.string());
         }
         if (start == Start::continued) repair();
@@ -85,6 +103,9 @@ LineFile::~LineFile() {
 
 void LineFile::append(std::string_view line) {
     assert(line.find('\n') == std::string_view::npos);
+    if (was_removed(descriptor_)) {
+        fail("{} was removed while it was being written; what was measured since is lost, run again", path_.string());
+    }
     const std::string text = std::string(line) + '\n';
     if (write_all(descriptor_, text)) {
         size_ += text.size();

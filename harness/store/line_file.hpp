@@ -7,8 +7,9 @@
 namespace reliefbench {
 
 /// A file of whole lines that only grows. Every append is handed to the system at once, so that lines outlive the
-/// process; one that fails is an Error and is taken back, so that no reader ever sees half a line. One process at a
-/// time writes to it: a second one gets an Error.
+/// process; one that fails is an Error and is taken back, so that no reader ever sees half a line. A file that was
+/// removed meanwhile is an Error, too: what is written to it nobody would find. One process at a time writes to it: a
+/// second one gets an Error, unless the first ends within two seconds (one that was killed takes a moment).
 class LineFile {
 public:
     enum class Start {

@@ -1,6 +1,7 @@
 #include "store/resume.hpp"
 
 #include "core/json_lookup.hpp"
+#include "store/crashes.hpp"
 #include "store/read_samples.hpp"
 
 #include <fmt/format.h>
@@ -43,9 +44,9 @@ std::string places(const Json& recorded, const Json& now) {
 
 EarlierWork read_earlier_work(const std::filesystem::path& folder, const std::string& visited_pass) {
     EarlierWork earlier;
-    for (CellResult& cell : read_run(folder).cells) {
-        std::string id = cell.cell;
-        earlier.finished.emplace(std::move(id), std::move(cell));
+    for (const CellResult& cell : read_run(folder).cells) {
+        earlier.finished.insert(cell.cell);
+        earlier.tally.add(cell);
     }
     read_samples(folder, [&](const RawSamples& samples) {
         if (samples.pass != visited_pass || earlier.finished.contains(samples.cell)) return;
@@ -55,6 +56,7 @@ EarlierWork read_earlier_work(const std::filesystem::path& folder, const std::st
         std::stable_sort(visits.begin(), visits.end(),
                          [](const RawSamples& a, const RawSamples& b) { return a.round < b.round; });
     }
+    earlier.crashes = read_crashes(folder);
     return earlier;
 }
 

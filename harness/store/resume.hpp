@@ -2,21 +2,27 @@
 
 #include "core/json.hpp"
 #include "store/run_folder.hpp"
+#include "store/run_tally.hpp"
 
 #include <filesystem>
 #include <map>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 namespace reliefbench {
 
 /// What an interrupted run has already, to go on from.
 struct EarlierWork {
-    /// By cell.
-    std::map<std::string, CellResult> finished;
+    /// Cells, by id.
+    std::unordered_set<std::string> finished;
+    /// How those ended.
+    RunTally tally;
     /// Visits that count of cells that are not finished, in the order of their rounds; of the passes of a visit, not of
     /// the preparation's.
     std::map<std::string, std::vector<RawSamples>> visits;
+    /// What ended the workers that were on a cell, by cells that are not finished.
+    std::map<std::string, std::vector<std::string>> crashes;
     /// The environment is not the one that the run began in, and was told to go on all the same: cells are marked.
     bool forced = false;
 };

@@ -79,12 +79,16 @@ std::filesystem::path image_path(const std::filesystem::path& folder, const std:
     return folder / images_folder / (image_name(cell) + suffix);
 }
 
-RunWriter::RunWriter(const std::filesystem::path& folder, const Json& run) : folder_(folder) {
+void refuse_second_run(const std::filesystem::path& folder) {
     for (const char* file : {run_file, cells_file, samples_file, rounds_file, summary_file}) {
         if (is_there(folder / file)) {
             fail("{} already holds a run ({}): choose another folder, or remove it first", folder.string(), file);
         }
     }
+}
+
+RunWriter::RunWriter(const std::filesystem::path& folder, const Json& run) : folder_(folder) {
+    refuse_second_run(folder);
     const bool made_folder = !is_there(folder);
     make_folder(folder);
     try {

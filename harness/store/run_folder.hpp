@@ -94,6 +94,9 @@ Json read_run_record(const std::filesystem::path& folder);
 /// Whether there is a run.json.
 bool holds_run(const std::filesystem::path& folder);
 
+/// An Error when the folder holds a run or a part of one.
+void refuse_second_run(const std::filesystem::path& folder);
+
 /// A folder in which a run was interrupted before it had a run.json holds empty files at most: they are removed.
 void remove_unstarted_run(const std::filesystem::path& folder);
 

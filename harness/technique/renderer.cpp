@@ -60,7 +60,9 @@ struct TimedRecording {
         : samples(samples_in_all),
           repeats(repeats_each),
           timestamps(device, static_cast<std::uint32_t>(samples)),
-          recording(device, what, [&](const vk::raii::CommandBuffer& commands) { record(commands, draw); }) {}
+          recording(
+              device, what, [&](const vk::raii::CommandBuffer& commands) { record(commands, draw); },
+              samples_in_all * repeats_each) {}
 
     void record(const vk::raii::CommandBuffer& commands, const Draw& draw) const {
         assert(samples > 0 && repeats > 0);

@@ -11,12 +11,8 @@ using testing::Not;
 
 RunOutcome outcome_of_four() {
     RunOutcome outcome;
-    outcome.cells.resize(4);
-    outcome.cells[0].stop = StopReason::precise;
-    outcome.cells[1].stop = StopReason::precise;
-    outcome.cells[2].stop = StopReason::budget;
-    outcome.cells[2].throttled_rounds = 7;
-    outcome.cells[3].status = CellStatus::failed;
+    outcome.tally = {
+        .ok = 3, .failed = 1, .stops = {{StopReason::precise, 2}, {StopReason::budget, 1}}, .throttled_cells = 1};
     outcome.split = {.total_s = 20, .samples_s = 8, .truth_s = 1, .timing_s = 8, .timing_samples_s = 7.5};
     return outcome;
 }

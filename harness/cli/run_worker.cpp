@@ -1,0 +1,213 @@
+#include "cli/run_worker.hpp"
+
+#include "cli/progress_printer.hpp"
+#include "cli/results.hpp"
+#include "cli/shared_options.hpp"
+#include "cli/terminal.hpp"
+#include "core/error.hpp"
+#include "core/log.hpp"
+#include "core/suggest.hpp"
+#include "measure/clock.hpp"
+#include "measure/device_cells.hpp"
+#include "measure/draw_subject.hpp"
+#include "measure/run.hpp"
+#include "measure/run_pictures.hpp"
+#include "measure/run_record.hpp"
+#include "measure/run_summary.hpp"
+#include "measure/shared_inputs.hpp"
+#include "report/run_format.hpp"
+#include "store/resume.hpp"
+#include "store/run_folder.hpp"
+#include "technique/map_cache.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+namespace reliefbench {
+
+namespace {
+
+void warn_of_constant_maps(const std::vector<HeightMapRecord>& maps) {
+    for (const HeightMapRecord& map : maps) {
+        if (map.constant) {
+            log_warning("height map '{}' is constant: there is no relief in it, and errors say nothing",
+                        map.source.name);
+        }
+    }
+}
+
+/// run.json of a run that is gone on with: as it was, with a note of when, where and how it was gone on with.
+Json resumed_record(Json recorded, const Json& now, const std::vector<std::string>& differences) {
+    Json note;
+    for (const char* part : {"environment", "device", "command_line"})
+        note[part] = now.at(part);
+    note["differences"] = differences;
+    recorded["resumed"].push_back(std::move(note));
+    return recorded;
+}
+
+struct OpenedRun {
+    std::unique_ptr<RunWriter> writer;
+    EarlierWork earlier;
+};
+
+/// Goes on with the run in the folder, as far as it is the same one.
+OpenedRun resume_run(const std::filesystem::path& folder, const Json& now, bool force) {
+    const Json recorded = read_run_record(folder);
+    const std::vector<std::string> differences = resume_differences(recorded, now);
+    if (!differences.empty() && !force) {
+        fail("{} cannot be resumed: {}; --resume=force goes on all the same and marks the cells", folder.string(),
+             join(differences, "; "));
+    }
+    for (const std::string& difference : differences)
+        log_warning("resuming although {}", difference);
+    OpenedRun opened;
+    opened.writer =
+        std::make_unique<RunWriter>(folder, resumed_record(recorded, now, differences), RunWriter::Continue{});
+    for (const std::string& repair : opened.writer->repairs())
+        log_warning("{}: {}", folder.string(), repair);
+    opened.earlier = read_earlier_work(folder, draw_pass);
+    opened.earlier.forced = !differences.empty();
+    return opened;
+}
+
+OpenedRun open_run(const std::filesystem::path& folder, const Json& record, const std::string& resume) {
+    if (!resume.empty()) {
+        if (holds_run(folder)) return resume_run(folder, record, resume == "force");
+        remove_unstarted_run(folder);
+    }
+    return {std::make_unique<RunWriter>(folder, record), {}};
+}
+
+ExitCode report_failures(const std::vector<CellResult>& cells) {
+    std::size_t failures = 0;
+    for (const CellResult& cell : cells) {
+        if (cell.status == CellStatus::failed) {
+            ++failures;
+            fmt::print(stderr, "reliefbench: cell failed: {}: {}\n", cell.cell, cell.reason);
+        }
+    }
+    return failures > 0 ? ExitCode::cells_failed : ExitCode::done;
+}
+
+/// As a shell takes it.
+std::string quoted_word(const std::filesystem::path& path) {
+    const std::string text = path.string();
+    if (text.find_first_of(" '\"\\$`*?;&|<>()") == std::string::npos) return text;
+    std::string quoted = "'";
+    for (const char character : text) {
+        quoted += character == '\'' ? std::string("'\\''") : std::string(1, character);
+    }
+    return quoted + "'";
+}
+
+/// The finished cells as the folder has them, in the configuration's order.
+Run read_back(const std::filesystem::path& folder, const std::vector<Cell>& cells) {
+    std::unordered_map<std::string_view, std::size_t> order;
+    for (const Cell& cell : cells)
+        order.emplace(cell.id, order.size());
+    Run run = read_run(folder);
+    std::sort(run.cells.begin(), run.cells.end(),
+              [&order](const CellResult& a, const CellResult& b) { return order.at(a.cell) < order.at(b.cell); });
+    return run;
+}
+
+/// Where the table is not asked for, standard output is for another program.
+void print_outcome(const RunOutcome& outcome, const Run& run, const RunJob& job) {
+    const RunFormat format = parse_run_format(job.format);
+    const TableStyle style{.columns = std::min(table_columns(), TableStyle().columns), .colour = job.colour};
+    print_results(format_run(run, format, style));
+    const std::string summary = format_run_summary(outcome, run.run.at("empty_pass"));
+    if (format == RunFormat::table) {
+        print_results(summary);
+    } else {
+        fmt::print(stderr, "{}", summary);
+    }
+}
+
+void say_how_to_go_on(const RunOutcome& outcome, const RunJob& job) {
+    fmt::print(stderr,
+               "reliefbench: interrupted with {} of {} cells finished; every sample is kept. Go on with\n"
+               "    reliefbench run {} -o {} --resume\n",
+               outcome.tally.cells(), job.sources.cells.size(), quoted_word(job.folder / "run.json"),
+               quoted_word(job.folder));
+}
+
+/// What stands in run.json before anything is measured.
+Json make_record(const RunJob& job, const gpu::Device& device) {
+    const std::vector<HeightMapRecord> maps = inspect_height_maps(job.sources.cells);
+    warn_of_constant_maps(maps);
+    Json record = make_run_record({job.sources.configuration, job.sources.library, job.sources.cells, maps, device});
+    record["command_line"] = job.command_line;
+    record["filters"] = job.sources.filters;
+    if (job.shard) record["shard"] = {{"index", job.shard->index}, {"count", job.shard->count}};
+    record["technique_directories"] = job.sources.technique_directories;
+    return record;
+}
+
+RunOutcome measure(const RunJob& job, const gpu::Device& device, RunWriter& writer, EarlierWork earlier,
+                   WorkerStatus& status) {
+    const Configuration& configuration = job.sources.configuration;
+    if (configuration.images) write_legends(writer);
+    DeviceCells source(device, job.sources.library, configuration, job.sources.cells, writer, map_cache_folder());
+    ProgressPrinter printer;
+    return run_cells(source, configuration, job.sources.cells, writer,
+                     [&printer](const Progress& progress) { printer(progress); }, steady_clock(),
+                     {.earlier = std::move(earlier),
+                      .is_interrupted = [&status] { return status.is_interrupted(); },
+                      .on_cell = [&status](const std::string& cell) { status.begin_cell(cell); }});
+}
+
+gpu::DeviceOptions watched(gpu::DeviceOptions options, WorkerStatus& status) {
+    options.on_submit = [&status](int passes) { status.begin_passes(passes); };
+    options.on_end = [&status] { status.end_passes(); };
+    return options;
+}
+
+}  // namespace
+
+ExitCode work_on_run(const RunJob& job, WorkerStatus& status) {
+    const double start_s = steady_clock().seconds();
+    const gpu::Device device(watched(job.device, status));
+    const std::optional<DeviceLock> lock =
+        job.sharing.lock(device.info(), [&status] { return status.is_interrupted(); });
+    if (lock && !lock->is_held()) {
+        status.end(WorkerStatus::Ending::interrupted);
+        return ExitCode::done;
+    }
+    OpenedRun opened =
+        open_run(job.folder, make_record(job, device), job.takes_over && job.resume.empty() ? "plain" : job.resume);
+    RunWriter& writer = *opened.writer;
+    fmt::print(stderr, "{} cells on {}, results in {}\n", job.sources.cells.size(), device.info().name,
+               writer.folder().string());
+    if (!opened.earlier.finished.empty()) {
+        fmt::print(stderr, "{} of them are finished already\n", opened.earlier.finished.size());
+    }
+
+    RunOutcome outcome = measure(job, device, writer, std::move(opened.earlier), status);
+    outcome.split.total_s = steady_clock().seconds() - start_s;
+    if (outcome.device_lost && outcome.ended_early) {
+        fmt::print(stderr, "reliefbench: {} was lost; another worker goes on\n", device.info().name);
+        status.end(WorkerStatus::Ending::device_lost);
+        return ExitCode::done;
+    }
+    const Run run = read_back(writer.folder(), job.sources.cells);
+    print_outcome(outcome, run, job);
+    if (outcome.ended_early) {
+        say_how_to_go_on(outcome, job);
+        status.end(WorkerStatus::Ending::interrupted);
+        return ExitCode::done;
+    }
+    writer.write_summary(make_run_summary(outcome, run.run.at("empty_pass")));
+    write_exports(writer.folder(), job.exports);
+    status.end(WorkerStatus::Ending::finished);
+    return graver(report_failures(run.cells), check_validation(device));
+}
+
+}  // namespace reliefbench

@@ -1,0 +1,110 @@
+#include "measure/device_cells.hpp"
+
+#include "core/error.hpp"
+#include "gpu/device.hpp"
+#include "measure/cell_preparation.hpp"
+#include "measure/draw_subject.hpp"
+#include "measure/motion.hpp"
+#include "measure/run_pictures.hpp"
+
+#include <new>
+#include <optional>
+#include <utility>
+
+namespace reliefbench {
+
+namespace {
+
+/// What samples a cell, and what it draws with.
+class DeviceSubject : public Subject {
+public:
+    DeviceSubject(Renderer renderer, const SamplingSettings& sampling)
+        : renderer_(std::move(renderer)), draw_(timer_of(renderer_), sampling) {}
+
+    void warm_up() override { draw_.warm_up(); }
+    Samples visit(int count) override { return draw_.visit(count); }
+    void submit(int count) override { draw_.submit(count); }
+    Samples collect() override { return draw_.collect(); }
+    int repeats() const override { return draw_.repeats(); }
+    Renderer& renderer() { return renderer_; }
+
+private:
+    Renderer renderer_;
+    DrawSubject draw_;
+};
+
+ReadyCell ended(std::size_t index, const Cell& cell, CellStatus status, const std::string& reason) {
+    ReadyCell ready{.index = index, .result = blank_result(cell)};
+    ready.result.status = status;
+    ready.result.reason = reason;
+    return ready;
+}
+
+}  // namespace
+
+DeviceCells::DeviceCells(const gpu::Device& device, const TechniqueLibrary& library, const Configuration& configuration,
+                         const std::vector<Cell>& cells, RunWriter& writer, std::filesystem::path map_cache)
+    : device_(device),
+      library_(library),
+      configuration_(configuration),
+      cells_(cells),
+      writer_(writer),
+      map_cache_(std::move(map_cache)),
+      device_state_(gpu::open_device_state(device)),
+      inputs_(device, configuration.lighting, configuration.truth, configuration.object) {}
+
+void DeviceCells::begin_block(std::span<const std::size_t> cells) {
+    std::vector<ViewKey> views;
+    for (const std::size_t index : cells)
+        views.push_back(cells_[index].view);
+    inputs_.keep_only(views);
+}
+
+ReadyCell DeviceCells::make_ready(std::size_t index, const std::function<void(const std::string&)>& on_progress) {
+    const Cell& cell = cells_[index];
+    const LongPreparation long_preparation{
+        map_cache_, [&](const PreparationProgress& progress) { on_progress(describe(progress)); }};
+    std::optional<PreparedOrSkipped> outcome;
+    try {
+        outcome.emplace(
+            prepare_cell(device_, library_.get(cell.technique), cell, inputs_, configuration_, long_preparation));
+    } catch (const Error& error) {
+        return ended(index, cell, CellStatus::failed, error.what());
+    } catch (const std::bad_alloc&) {
+        return ended(index, cell, CellStatus::failed,
+                     "the host's memory is used up; choose a smaller height map or resolution");
+    }
+    if (!outcome->cell) return ended(index, cell, CellStatus::skipped, outcome->skip_reason);
+    PreparedCell& prepared = *outcome->cell;
+    if (configuration_.images) {
+        const DrawnCell drawn{prepared.probe, inputs_.truth(cell.view), inputs_.map(cell.view).map,
+                              cell.view.view.relief};
+        write_cell_pictures(writer_, cell.id, drawn);
+    }
+    ReadyCell ready{.index = index,
+                    .result = std::move(prepared.result),
+                    .preparation_ms = std::move(prepared.preparation.pass_ms)};
+    if (ready.result.status == CellStatus::ok)
+        ready.subject = std::make_unique<DeviceSubject>(std::move(prepared.renderer), configuration_.sampling);
+    return ready;
+}
+
+void DeviceCells::finish_view(std::span<ReadyCell> cells,
+                              const std::function<bool(const std::string& stage)>& goes_on) {
+    if (!configuration_.motion || cells.empty()) return;
+    std::vector<MotionSubject> subjects;
+    for (ReadyCell& cell : cells)
+        subjects.push_back({&static_cast<DeviceSubject&>(*cell.subject).renderer(), &cell.result});
+    measure_motion(inputs_, cells_[cells.front().index].view, configuration_, subjects,
+                   [&goes_on](const std::string& cell) { return goes_on(cell + ", in motion"); });
+}
+
+bool DeviceCells::is_device_lost() const {
+    return device_.is_lost();
+}
+
+std::size_t DeviceCells::in_flight() const {
+    return device_.info().type == gpu::DeviceType::cpu ? 1 : 2;
+}
+
+}  // namespace reliefbench

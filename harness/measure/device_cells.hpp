@@ -1,0 +1,42 @@
+#pragma once
+
+#include "measure/cell_source.hpp"
+#include "measure/shared_inputs.hpp"
+#include "store/run_folder.hpp"
+#include "sweep/configuration.hpp"
+#include "technique/technique.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace reliefbench {
+
+/// Cells drawn by their techniques on a Vulkan device and compared with their truths. Pictures, where the configuration
+/// asks for them, go to the run's folder. All that it is given must outlive it.
+class DeviceCells : public CellSource {
+public:
+    /// `map_cache`: where derived maps that take long to make are kept (technique/map_cache.hpp); empty: nowhere.
+    DeviceCells(const gpu::Device& device, const TechniqueLibrary& library, const Configuration& configuration,
+                const std::vector<Cell>& cells, RunWriter& writer, std::filesystem::path map_cache);
+
+    void begin_block(std::span<const std::size_t> cells) override;
+    ReadyCell make_ready(std::size_t cell, const std::function<void(const std::string&)>& on_progress) override;
+    void finish_view(std::span<ReadyCell> cells, const std::function<bool(const std::string& stage)>& goes_on) override;
+    bool is_device_lost() const override;
+    gpu::DeviceStateSource& device_state() override { return *device_state_; }
+    std::size_t in_flight() const override;
+    double truth_seconds() const override { return inputs_.truth_seconds(); }
+
+private:
+    const gpu::Device& device_;
+    const TechniqueLibrary& library_;
+    const Configuration& configuration_;
+    const std::vector<Cell>& cells_;
+    RunWriter& writer_;
+    std::filesystem::path map_cache_;
+    std::unique_ptr<gpu::DeviceStateSource> device_state_;
+    SharedInputs inputs_;
+};
+
+}  // namespace reliefbench
