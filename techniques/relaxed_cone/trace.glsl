@@ -6,10 +6,11 @@ float least_step(ReliefRay ray, float s) { return 0.0; }
 
 bool looks_for_bumps() { return false; }
 
+// A fixed number of steps is the published method: the point that they reach is its answer, not one that a cap cut off.
 // A cone that a ray pierces at most once leaves it above the surface or just past its first crossing, which halving finds.
 Trace trace(ReliefRay ray) {
     ConeSearch search = search_cones(ray, max_steps);
     Refined refined = unrefined(search);
     if (holds_crossing(search)) refined = refine_by_halving(ray, search.crossing, binary_steps);
-    return answer(search, refined);
+    return hit_on_ray(refined.s, refined.steps);
 }
