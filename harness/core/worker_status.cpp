@@ -21,7 +21,7 @@ namespace reliefbench {
 
 namespace {
 
-constexpr std::size_t longest_id = 64 * 1024;
+constexpr std::size_t longest_id = 16 * 1024;
 constexpr std::size_t longest_folder = 4096;
 constexpr std::int64_t no_deadline = 0;
 

@@ -36,7 +36,7 @@ public:
 
     /// Where its results go: the next worker takes it over. At most 4096 bytes, else it is an Error.
     void set_folder(const std::filesystem::path& folder);
-    /// What it is on from now on; empty: nothing that could be told from the rest. Ids longer than 64 KiB are cut.
+    /// What it is on from now on; empty: nothing that could be told from the rest. Ids longer than 16 KiB are cut.
     void begin_cell(std::string_view id);
     /// The device gets so many passes, after those that it has. They end in the order in which they began.
     void begin_passes(int passes);

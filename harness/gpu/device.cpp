@@ -189,8 +189,11 @@ std::vector<vk::raii::PhysicalDevice> find_physical_devices(const vk::raii::Inst
 
 std::vector<DeviceInfo> describe_all(const std::vector<vk::raii::PhysicalDevice>& devices) {
     std::vector<DeviceInfo> infos;
-    for (const vk::raii::PhysicalDevice& device : devices)
-        infos.push_back(describe(device, static_cast<int>(infos.size())));
+    for (const vk::raii::PhysicalDevice& device : devices) {
+        const auto index = static_cast<int>(infos.size());
+        translate_errors("ask what it can do", fmt::format("Vulkan device {}", index),
+                         [&] { infos.push_back(describe(device, index)); });
+    }
     return infos;
 }
 

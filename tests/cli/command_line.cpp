@@ -1,12 +1,16 @@
 #include "command_line.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 namespace reliefbench {
 
@@ -22,15 +26,43 @@ std::string quoted(const std::string& argument) {
 
 }  // namespace
 
-Outcome CommandLine::reliefbench(const std::vector<std::string>& arguments) const {
+Outcome CommandLine::reliefbench(const std::vector<std::string>& arguments, const std::string& before) const {
     // The tests' folder is the working folder, so that nothing is left in anybody else's.
-    std::string command = fmt::format("cd {} && {}", quoted(folder_.path().string()), quoted(RELIEFBENCH_BINARY));
+    std::string command =
+        fmt::format("cd {} && {} {}", quoted(folder_.path().string()), before, quoted(RELIEFBENCH_BINARY));
     for (const std::string& argument : arguments) {
         command += fmt::format(" {}", quoted(argument));
     }
     command += fmt::format(" >{} 2>{} </dev/null", quoted(path("stdout")), quoted(path("stderr")));
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(path("stdout")), read_file(path("stderr"))};
+}
+
+pid_t CommandLine::start(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), RELIEFBENCH_BINARY);
+    const pid_t process = fork();
+    if (process == 0) {
+        constexpr int mode = 0600;
+        dup2(open(path("out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, mode), STDOUT_FILENO);
+        dup2(open(path("err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, mode), STDERR_FILENO);
+        execv(RELIEFBENCH_BINARY, argument_pointers(arguments).data());
+        _exit(127);
+    }
+    return process;
+}
+
+void CommandLine::await_samples(const std::string& run) const {
+    for (int tries = 0; tries < 600 && read_file(path(run + "/samples.jsonl")).empty(); ++tries)
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    ASSERT_FALSE(read_file(path(run + "/samples.jsonl")).empty());
+}
+
+std::vector<char*> argument_pointers(std::vector<std::string>& words) {
+    std::vector<char*> pointers;
+    for (std::string& word : words)
+        pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    return pointers;
 }
 
 void CommandLine::expect_refused(std::vector<std::string> arguments, const std::vector<std::string>& words) const {

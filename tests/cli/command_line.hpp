@@ -4,6 +4,7 @@
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/types.h>
 
 #include <filesystem>
 #include <string>
@@ -21,7 +22,13 @@ struct Outcome {
 /// Runs the built binary, with the validation layer off unless the arguments turn it on.
 class CommandLine : public testing::Test {
 protected:
-    Outcome reliefbench(const std::vector<std::string>& arguments) const;
+    /// `before`: shell words in front of the binary ("ulimit -f 8;", "NAME=value").
+    Outcome reliefbench(const std::vector<std::string>& arguments, const std::string& before = {}) const;
+
+    /// Starts the command with its output in the files `out` and `err` of this test's folder.
+    pid_t start(std::vector<std::string> arguments) const;
+    /// Waits for the first samples of the run in this folder.
+    void await_samples(const std::string& run) const;
 
     /// Runs a configuration into `run/`, which must not come to be, and expects exit code 2 and a message that has all
     /// of `words`.
@@ -38,6 +45,9 @@ protected:
 private:
     const TemporaryFolder folder_;
 };
+
+/// For exec: pointers to the words, and a null.
+std::vector<char*> argument_pointers(std::vector<std::string>& words);
 
 /// A small matrix with one shipped technique.
 Json tiny_configuration();

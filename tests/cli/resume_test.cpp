@@ -2,13 +2,14 @@
 
 #include <gmock/gmock.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <fcntl.h>
+#include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <map>
+#include <random>
 #include <set>
 #include <thread>
 
@@ -33,20 +34,7 @@ protected:
 
     /// Starts the command and kills it after a while; false when it had ended before.
     bool killed(const std::vector<std::string>& arguments, std::chrono::milliseconds after) const {
-        std::vector<std::string> words = arguments;
-        words.insert(words.begin(), RELIEFBENCH_BINARY);
-        const pid_t process = fork();
-        if (process == 0) {
-            const int null = open("/dev/null", O_RDWR);
-            for (const int descriptor : {0, 1, 2})
-                dup2(null, descriptor);
-            std::vector<char*> pointers;
-            for (std::string& word : words)
-                pointers.push_back(word.data());
-            pointers.push_back(nullptr);
-            execv(pointers.front(), pointers.data());
-            _exit(127);
-        }
+        const pid_t process = start(arguments);
         std::this_thread::sleep_for(after);
         kill(process, SIGKILL);
         int status = 0;
@@ -68,6 +56,17 @@ std::map<std::string, Json> deterministic_part(const std::vector<Json>& cells) {
     return kept;
 }
 
+/// Visits are neither lost nor repeated.
+void expect_every_round_once(const std::vector<Json>& cells, const std::vector<Json>& samples) {
+    std::map<std::string, std::set<int>> rounds;
+    for (const Json& line : samples) {
+        if (line.at("pass") != "draw") continue;
+        EXPECT_TRUE(rounds[line.at("cell").get<std::string>()].insert(line.at("round").get<int>()).second);
+    }
+    for (const Json& cell : cells)
+        EXPECT_EQ(cell.at("time").at("draw").at("rounds"), rounds.at(cell.at("cell").get<std::string>()).size());
+}
+
 TEST_F(Resume, ARunKilledAgainAndAgainEndsWithEveryCellOnce) {
     const std::string config = configuration();
     ASSERT_EQ(reliefbench({"run", config, "-o", path("whole")}).code, 0);
@@ -81,14 +80,37 @@ TEST_F(Resume, ARunKilledAgainAndAgainEndsWithEveryCellOnce) {
     EXPECT_GE(kills, 2);
     const std::vector<Json> cells = read_lines(path("resumed/cells.jsonl"));
     EXPECT_EQ(deterministic_part(cells), deterministic_part(read_lines(path("whole/cells.jsonl"))));
-    // Visits are neither lost nor repeated.
-    std::map<std::string, std::set<int>> rounds;
-    for (const Json& line : read_lines(path("resumed/samples.jsonl"))) {
-        if (line.at("pass") != "draw") continue;
-        EXPECT_TRUE(rounds[line.at("cell").get<std::string>()].insert(line.at("round").get<int>()).second);
+    expect_every_round_once(cells, read_lines(path("resumed/samples.jsonl")));
+}
+
+TEST_F(Resume, RunsKilledAtAHundredRandomMomentsEndAsIfNothingHadBeen) {
+    if (std::getenv("RELIEFBENCH_LONG_TESTS") == nullptr) GTEST_SKIP() << "long; RELIEFBENCH_LONG_TESTS is not set";
+    const std::string config = configuration();
+    ASSERT_EQ(reliefbench({"run", config, "-o", path("whole")}).code, 0);
+    const auto whole = deterministic_part(read_lines(path("whole/cells.jsonl")));
+    std::mt19937 random(1);
+    // From before the worker is there to near the end.
+    std::uniform_int_distribution<int> moment_ms(1, 1500);
+    for (int kills = 0, run = 0; kills < 100; ++run) {
+        const std::string folder = path("run " + std::to_string(run));
+        const std::vector<std::string> resumed = {"run", config, "-o", folder, "--resume"};
+        std::set<std::string> finished;
+        while (kills < 100 && killed(resumed, std::chrono::milliseconds(moment_ms(random)))) {
+            ++kills;
+            // As it stands, with a last line that may be cut short.
+            std::set<std::string> now;
+            std::ifstream file(folder + "/cells.jsonl");
+            for (std::string line; std::getline(file, line) && !file.eof();)
+                now.insert(line);
+            EXPECT_TRUE(std::includes(now.begin(), now.end(), finished.begin(), finished.end())) << "a cell was lost";
+            finished = now;
+        }
+        const Outcome last = reliefbench(resumed);
+        ASSERT_EQ(last.code, 0) << last.err;
+        const std::vector<Json> cells = read_lines(folder + "/cells.jsonl");
+        EXPECT_EQ(deterministic_part(cells), whole);
+        expect_every_round_once(cells, read_lines(folder + "/samples.jsonl"));
     }
-    for (const Json& cell : cells)
-        EXPECT_EQ(cell.at("time").at("draw").at("rounds"), rounds.at(cell.at("cell").get<std::string>()).size());
 }
 
 TEST_F(Resume, WhatIsFinishedIsShownAndNotMeasuredAgain) {

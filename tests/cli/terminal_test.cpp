@@ -2,17 +2,14 @@
 
 #include "command_line.hpp"
 
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <pty.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <optional>
-#include <thread>
 
 namespace reliefbench {
 namespace {
@@ -20,14 +17,6 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
-
-std::vector<char*> argument_pointers(std::vector<std::string>& words) {
-    std::vector<char*> pointers;
-    for (std::string& word : words)
-        pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    return pointers;
-}
 
 class Terminal : public CommandLine {
 protected:
@@ -41,27 +30,6 @@ protected:
         json["axes"]["view_angle"] = {0, 15, 30, 45, 60};
         json["sampling"]["rounds"] = 20;
         return write_configuration("long.json", json);
-    }
-
-    /// Starts the command with its output in the files `out` and `err` of this test's folder.
-    pid_t start(std::vector<std::string> words) const {
-        words.insert(words.begin(), RELIEFBENCH_BINARY);
-        const pid_t process = fork();
-        if (process == 0) {
-            constexpr int mode = 0600;
-            dup2(open(path("out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, mode), STDOUT_FILENO);
-            dup2(open(path("err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, mode), STDERR_FILENO);
-            execv(RELIEFBENCH_BINARY, argument_pointers(words).data());
-            _exit(127);
-        }
-        return process;
-    }
-
-    /// Waits for the run's first samples.
-    void await_samples(const std::string& run) const {
-        for (int tries = 0; tries < 600 && read_file(path(run + "/samples.jsonl")).empty(); ++tries)
-            std::this_thread::sleep_for(std::chrono::milliseconds(50));
-        ASSERT_FALSE(read_file(path(run + "/samples.jsonl")).empty());
     }
 
     /// What the command writes to a terminal of 100 columns.

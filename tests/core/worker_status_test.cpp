@@ -72,7 +72,7 @@ TEST(WorkerStatus, ASecondSubmissionHasItsTimeFromTheEndOfTheFirst) {
 TEST(WorkerStatus, AnIdTooLongIsCutAndAFolderTooLongRefused) {
     WorkerStatus status(10);
     status.begin_cell(std::string(100000, 'x'));
-    EXPECT_EQ(status.cell(), std::string(65536, 'x'));
+    EXPECT_EQ(status.cell(), std::string(16384, 'x'));
     EXPECT_THROW(status.set_folder(std::string(5000, 'x')), Error);
 }
 
