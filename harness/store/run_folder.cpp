@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/hash.hpp"
+#include "store/crashes.hpp"
 
 #include <cctype>
 #include <fstream>
@@ -152,6 +153,10 @@ void RunWriter::append_recorded(const std::filesystem::path& other_run) {
         std::ifstream lines(other_run / name, std::ios::binary);
         for (std::string line; std::getline(lines, line) && !lines.eof();)
             (*file)->append(line);
+    }
+    for (const auto& [cell, reasons] : read_crashes(other_run)) {
+        for (const std::string& reason : reasons)
+            append_crash(folder_, {cell, reason});
     }
     const std::filesystem::path images = other_run / images_folder;
     if (!is_there(images)) return;

@@ -56,7 +56,7 @@ public:
     void append_cell(const CellResult& result);
     void append_samples(const RawSamples& samples);
     void append_round(const RoundRecord& round);
-    /// Samples, rounds and images of another run as they stand there. Last lines that were cut short are left out, and
+    /// Samples, rounds, crashes and images of another run as they stand there. Last lines that were cut short are left out, and
     /// so are images that are there already (legends).
     void append_recorded(const std::filesystem::path& other_run);
     /// At the run's end: summary.json.
