@@ -72,7 +72,8 @@ Image<double> ssim_map(const Image<double>& first, const Image<double>& second) 
     assert(first.size == second.size);
     constexpr std::size_t strip_rows = 16;
     const Window window = make_window();
-    const auto [width, height] = first.size;
+    const int width = first.size.width;
+    const int height = first.size.height;
     Image<Moments> along_y(first.size);
     Image<double> map(first.size);
     const auto rows = static_cast<std::size_t>(height);

@@ -119,6 +119,18 @@ void fill_triangles(RTCGeometry geometry, const VertexGrid& mesh) {
     }
 }
 
+#if defined(__SANITIZE_THREAD__)
+constexpr bool under_thread_sanitizer = true;
+#elif defined(__has_feature)
+constexpr bool under_thread_sanitizer = __has_feature(thread_sanitizer);
+#else
+constexpr bool under_thread_sanitizer = false;
+#endif
+
+/// ThreadSanitizer does not see how the threads of Embree's own scheduler, which is not compiled with it, wait for each
+/// other while they build: one thread builds there.
+constexpr const char* embree_configuration = under_thread_sanitizer ? "threads=1" : nullptr;
+
 }  // namespace
 
 struct MeshTracer::Scene {
@@ -136,7 +148,7 @@ MeshTracer::MeshTracer(const HeightMap& map, const View& view, int subdivision, 
     const Extent extent = scene_->clip ? Extent{} : footprint_extent(view);
     const VertexGrid mesh = enclosing_grid(map, view.relief, extent.low, extent.high, subdivision);
 
-    scene_->device.reset(rtcNewDevice(nullptr));
+    scene_->device.reset(rtcNewDevice(embree_configuration));
     if (!scene_->device) fail("Embree gives no device for the mesh truth: check the package libembree3-3");
     RTCDevice device = scene_->device.get();
     rtcSetDeviceErrorFunction(device, keep_message, &scene_->message);
