@@ -30,6 +30,8 @@ namespace {
 constexpr const char* worker_variable = "RELIEFBENCH_WORKER";
 /// How often a hanging pass is looked for.
 constexpr int watch_ms = 100;
+/// What was stopped and goes on (Ctrl-Z) looks overdue once, before the pass has had the time to end.
+constexpr int certain_looks = 2;
 constexpr int most_deaths_outside_cells = 2;
 
 /// How a worker ended.
@@ -134,9 +136,11 @@ Death describe(int status) {
 Death watch_to_the_end(pid_t process, WorkerStatus& status, const InterruptWatch& interrupts,
                        const std::string& pass_timeout) {
     const Worker worker(process);
+    int looks_overdue = 0;
     while (!worker.has_ended()) {
         if (interrupts.signal() != 0) status.interrupt();
-        if (!status.is_overdue()) continue;
+        looks_overdue = status.is_overdue() ? looks_overdue + 1 : 0;
+        if (looks_overdue < certain_looks) continue;
         worker.kill();
         worker.status();
         return {.code = {}, .reason = fmt::format("a pass ran past {} (--pass-timeout)", pass_timeout)};

@@ -3,6 +3,7 @@
 #include "technique/renderer.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace reliefbench {
 
@@ -11,17 +12,25 @@ namespace {
 /// Bytes of the work counters of one pixel (work.glsl).
 constexpr std::uint64_t work_bytes_per_pixel = 16;
 
-std::string unsupported_volume(const gpu::Device& device, const MapDeclaration& map, vk::Extent2D extent, int slices) {
-    vk::Extent3D largest;
-    try {
-        largest =
-            device.handles()
-                .physical_device
+/// Empty: none of this format.
+std::optional<vk::Extent3D> largest_volume(const gpu::Device& device, const MapDeclaration& map) {
+    const gpu::DeviceHandles& handles = device.handles();
+    return gpu::translate_errors("ask for its formats", handles.info.name, [&]() -> std::optional<vk::Extent3D> {
+        try {
+            return handles.physical_device
                 .getImageFormatProperties(vulkan_format(map), vk::ImageType::e3D, vk::ImageTiling::eOptimal, map_usage)
                 .maxExtent;
-    } catch (const vk::FormatNotSupportedError&) {
+        } catch (const vk::FormatNotSupportedError&) {
+            return std::nullopt;
+        }
+    });
+}
+
+std::string unsupported_volume(const gpu::Device& device, const MapDeclaration& map, vk::Extent2D extent, int slices) {
+    const std::optional<vk::Extent3D> maximum = largest_volume(device, map);
+    if (!maximum)
         return fmt::format("{} has no three-dimensional images of format {} to write", device.info().name, map.format);
-    }
+    const vk::Extent3D& largest = *maximum;
     const auto depth = static_cast<std::uint32_t>(slices);
     if (extent.width <= largest.width && extent.height <= largest.height && depth <= largest.depth) return {};
     return fmt::format("the map '{}' would be {}x{}x{}; {} has three-dimensional images up to {}x{}x{}", map.name,

@@ -130,6 +130,19 @@ TEST_F(Supervisor, AWorkerThatIsKilledIsReplacedAndNothingIsLost) {
         EXPECT_EQ(cell.at("time").at("draw").at("rounds"), 40) << cell.at("cell");
 }
 
+TEST_F(Supervisor, WhatIsStoppedAndGoesOnIsNotTakenForHanging) {
+    const pid_t process = start({"run", long_configuration(), "-o", path("run"), "--pass-timeout", "1s"});
+    await_samples("run");
+    const pid_t worker = child_of(process);
+    kill(process, SIGSTOP);
+    kill(worker, SIGSTOP);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    kill(worker, SIGCONT);
+    kill(process, SIGCONT);
+    EXPECT_EQ(exit_code_of(process), 0) << read_file(path("err"));
+    EXPECT_FALSE(std::filesystem::exists(path("run/crashes.jsonl")));
+}
+
 TEST_F(Supervisor, AWorkerDoesNotOutliveItsSupervisor) {
     const pid_t process = start({"run", long_configuration(), "-o", path("run")});
     await_samples("run");
