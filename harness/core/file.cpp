@@ -32,13 +32,14 @@ void write_whole(const std::filesystem::path& path, std::string_view text) {
 
 }  // namespace
 
-std::string read_text_file(const std::filesystem::path& path) {
+std::string read_text_file(const std::filesystem::path& path, std::uint64_t most_bytes) {
     const FileHandle file(std::fopen(path.c_str(), "rb"));
     if (!file) fail("cannot read {}: {}", path.string(), system_reason());
     std::string text;
     char buffer[65536];
     while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get())) {
         text.append(buffer, count);
+        if (text.size() > most_bytes) fail("cannot read {}: it is larger than {} bytes", path.string(), most_bytes);
     }
     if (std::ferror(file.get()) != 0) fail("cannot read {}: {}", path.string(), system_reason());
     return text;

@@ -71,6 +71,12 @@ std::string syntax_message(const std::string& message) {
 
 constexpr std::size_t longest_value_shown = 60;
 
+/// Far above what any of our files has. What reads values goes down as deep as they are; members of one object are
+/// looked for one after the other.
+constexpr int deepest_nesting = 64;
+constexpr std::size_t most_members = 10000;
+constexpr std::uint64_t largest_json_file = std::uint64_t{256} << 20;
+
 std::string shown(const Json& value) {
     std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
     if (text.size() <= longest_value_shown) return text;
@@ -91,29 +97,35 @@ std::string member_path(const std::string& path, const std::string& key) {
 Json parse_json(std::string_view text, const std::string& file) {
     const char* position = text.data();
     std::vector<std::set<std::string>> keys_of_open_objects;
-    const auto refuse_duplicates = [&](int, Json::parse_event_t event, Json& parsed) {
+    const auto here = [&](std::size_t back = 0) {
+        return line_and_column(text, static_cast<std::size_t>(position - text.data()) - back);
+    };
+    const auto check = [&](int depth, Json::parse_event_t event, Json& parsed) {
+        if (depth >= deepest_nesting) fail("{}:{}: nested more than {} deep", file, here(1), deepest_nesting);
         if (event == Json::parse_event_t::object_start) keys_of_open_objects.emplace_back();
         if (event == Json::parse_event_t::object_end) keys_of_open_objects.pop_back();
-        if (event == Json::parse_event_t::key && !keys_of_open_objects.back().insert(parsed).second) {
+        if (event != Json::parse_event_t::key) return true;
+        if (!keys_of_open_objects.back().insert(parsed).second) {
             const std::size_t key = start_of_string(text, static_cast<std::size_t>(position - text.data()));
             fail("{}:{}: duplicate key {}", file, line_and_column(text, key), shown(parsed));
+        }
+        if (keys_of_open_objects.back().size() > most_members) {
+            fail("{}:{}: an object with more than {} members", file, here(), most_members);
         }
         return true;
     };
     try {
         const char* end = text.data() + text.size();
-        return Json::parse(CountingIterator(text.data(), &position), CountingIterator(end, &position),
-                           refuse_duplicates);
+        return Json::parse(CountingIterator(text.data(), &position), CountingIterator(end, &position), check);
     } catch (const Json::parse_error& error) {
         fail("{}:{}: {}", file, line_and_column(text, error.byte - 1), syntax_message(error.what()));
     } catch (const Json::exception& error) {  // a number that no double holds
-        const auto offset = static_cast<std::size_t>(position - text.data());
-        fail("{}:{}: {}", file, line_and_column(text, offset), syntax_message(error.what()));
+        fail("{}:{}: {}", file, here(), syntax_message(error.what()));
     }
 }
 
 Json read_json_file(const std::filesystem::path& path) {
-    return parse_json(read_text_file(path), path.string());
+    return parse_json(read_text_file(path, largest_json_file), path.string());
 }
 
 JsonView::JsonView(const Json& value, std::string file, std::string path)

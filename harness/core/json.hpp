@@ -14,7 +14,8 @@ namespace reliefbench {
 /// Members keep the order of the file: parameters are listed, and cells expanded, in the order their author chose.
 using Json = nlohmann::ordered_json;
 
-/// Parses JSON; a syntax error or a duplicate key is an Error that names `file` and the position.
+/// Parses JSON; a syntax error, a duplicate key, or nesting or an object that is absurdly large is an Error that names
+/// `file` and the position.
 Json parse_json(std::string_view text, const std::string& file);
 Json read_json_file(const std::filesystem::path& path);
 

@@ -203,24 +203,29 @@ Json read_run_record(const std::filesystem::path& folder) {
     return read_json_file(folder / run_file);
 }
 
-Run read_run(const std::filesystem::path& folder) {
-    Run run;
-    run.run = read_run_record(folder);
-    const std::filesystem::path cells_path = folder / cells_file;
-    const std::string cells = read_text_file(cells_path);
+std::vector<CellResult> parse_cells(std::string_view lines, const std::string& file) {
+    std::vector<CellResult> cells;
     std::set<std::string> ids;
     std::size_t number = 1;
-    for (std::size_t begin = 0; begin < cells.size(); ++number) {
-        const std::string where = fmt::format("{} (line {})", cells_path.string(), number);
-        const std::size_t end = cells.find('\n', begin);
-        if (end == std::string::npos) fail("{}: the line is cut short; remove it", where);
-        const Json json = parse_json(std::string_view(cells).substr(begin, end - begin), where);
-        run.cells.push_back(parse_cell_result(json, where));
-        if (!ids.insert(run.cells.back().cell).second) {
-            fail("{}: the cell '{}' stands here for the second time; remove one", where, run.cells.back().cell);
+    for (std::size_t begin = 0; begin < lines.size(); ++number) {
+        const std::string where = fmt::format("{} (line {})", file, number);
+        const std::size_t end = lines.find('\n', begin);
+        if (end == std::string_view::npos) fail("{}: the line is cut short; remove it", where);
+        const Json json = parse_json(lines.substr(begin, end - begin), where);
+        cells.push_back(parse_cell_result(json, where));
+        if (!ids.insert(cells.back().cell).second) {
+            fail("{}: the cell '{}' stands here for the second time; remove one", where, cells.back().cell);
         }
         begin = end + 1;
     }
+    return cells;
+}
+
+Run read_run(const std::filesystem::path& folder) {
+    Run run;
+    run.run = read_run_record(folder);
+    const std::filesystem::path cells = folder / cells_file;
+    run.cells = parse_cells(read_text_file(cells), cells.string());
     return run;
 }
 

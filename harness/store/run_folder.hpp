@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace reliefbench {
@@ -87,6 +88,9 @@ struct Run {
 
 /// Strict: a line that is cut short, is no cell result or repeats a cell is an Error.
 Run read_run(const std::filesystem::path& folder);
+
+/// The cells of a cells.jsonl; `file` is for messages.
+std::vector<CellResult> parse_cells(std::string_view lines, const std::string& file);
 
 /// run.json alone.
 Json read_run_record(const std::filesystem::path& folder);

@@ -12,10 +12,12 @@ namespace reliefbench {
 namespace {
 
 constexpr double most_values = 100000;
+/// 2^53: up to it doubles hold every integer.
+constexpr double largest_exact_integer = 9007199254740992;
 
 /// 0.1 + 2·0.1 as 0.3: without the last digits, which would make ids of their own.
 double without_rounding_noise(double number) {
-    return std::stod(fmt::format("{:.12g}", number));
+    return whole_text_as<double>(fmt::format("{:.12g}", number)).value_or(number);
 }
 
 [[noreturn]] void fail_range(const std::string& text, const Override& target, std::string_view why) {
@@ -31,7 +33,8 @@ void append_range(const std::string& text, Override& target) {
         const std::string part = inside.substr(begin, end - begin);
         const std::optional<double> number = whole_text_as<double>(part);
         if (!number || !std::isfinite(*number)) fail_range(text, target, fmt::format("has '{}' for a number", part));
-        whole_numbers = whole_numbers && whole_text_as<std::int64_t>(part).has_value();
+        const bool exact = std::abs(*number) <= largest_exact_integer;
+        whole_numbers = whole_numbers && exact && whole_text_as<std::int64_t>(part).has_value();
         numbers.push_back(*number);
         begin = end + 1;
     }

@@ -36,6 +36,17 @@ TEST(Json, DuplicateKeysAreRefusedWhereTheSecondStands) {
     EXPECT_NO_THROW(parse_json(R"({"a": 1, "b": {"a": 2}, "c": [{"a": 3}, {"a": 4}]})", "file.json"));
 }
 
+TEST(Json, NestingAndObjectsWithoutEndAreRefused) {
+    const std::string brackets(100000, '[');
+    EXPECT_EQ(message_of_parsing("{\"a\":\n" + brackets), "file.json:2:64: nested more than 64 deep");
+    EXPECT_EQ(message_of_parsing(brackets), "file.json:1:65: nested more than 64 deep");
+    EXPECT_NO_THROW(parse_json(std::string(64, '[') + std::string(64, ']'), "file.json"));
+    std::string members = "{\"0\":0";
+    for (int i = 1; i <= 10000; ++i)
+        members += fmt::format(",\"{}\":0", i);
+    EXPECT_THAT(message_of_parsing(members + "}"), testing::HasSubstr("more than 10000 members"));
+}
+
 class JsonViewTest : public testing::Test {
 protected:
     const Json json = parse_json(R"({"axes": {"view_angle": [0, 30.5, "x"], "odd key": true}, "count": 12})", "c.json");

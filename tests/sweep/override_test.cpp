@@ -37,6 +37,11 @@ TEST(Override, RangesOfFractionsHaveNoRoundingNoise) {
     EXPECT_THAT(parse_override("height_scale=[0.1:0.3:0.1]").values, ElementsAre(Json(0.1), Json(0.2), Json(0.3)));
 }
 
+TEST(Override, RangesOfNumbersThatNeitherIntegersNorDoublesHoldWell) {
+    EXPECT_TRUE(parse_override("a=[9223372036854775807:9223372036854775807:1]").values[0].is_number_float());
+    EXPECT_EQ(parse_override("a=[1e-310:1e-310:1e-310]").values[0].get<double>(), 1e-310);
+}
+
 TEST(Override, AnObjectIsOneValue) {
     EXPECT_THAT(parse_override(R"(heightmap={"file": "a.png", "invert": true})").values,
                 ElementsAre(parse_json(R"({"file": "a.png", "invert": true})", "test")));
