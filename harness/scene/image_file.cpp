@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <fstream>
 #include <memory>
+#include <string_view>
 
 namespace reliefbench {
 
@@ -34,10 +35,63 @@ std::string reason(std::string message) {
     return message.empty() ? "no reason given" : message;
 }
 
-bool is_netpbm_file(const std::filesystem::path& path) {
-    std::array<char, netpbm_magic_length> begin{};
-    std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
-    return is_netpbm({begin.data(), begin.size()});
+struct Format {
+    std::string_view magic;
+    /// OpenImageIO's name of its reader.
+    const char* reader;
+};
+
+using std::string_view_literals::operator""sv;
+
+/// OpenImageIO has readers of dozens of formats, with as many decoders to trust, and asks all of them in turn.
+constexpr std::array<Format, 7> formats{{{"\x89PNG\r\n\x1a\n"sv, "png"},
+                                         {"\xff\xd8\xff"sv, "jpeg"},
+                                         {"II*\0"sv, "tiff"},
+                                         {"MM\0*"sv, "tiff"},
+                                         {"II+\0"sv, "tiff"},
+                                         {"MM\0+"sv, "tiff"},
+                                         {"\x76\x2f\x31\x01"sv, "openexr"}}};
+
+std::string first_bytes(const std::filesystem::path& path, std::size_t count) {
+    std::string bytes(count, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(bytes.data(), static_cast<std::streamsize>(count));
+    bytes.resize(static_cast<std::size_t>(file.gcount()));
+    return bytes;
+}
+
+void check_is_file(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) {
+        fail("cannot read image '{}': {}", path.string(), error ? error.message() : "no such file");
+    }
+    if (!std::filesystem::is_regular_file(path, error)) fail("cannot read image '{}': it is not a file", path.string());
+}
+
+std::unique_ptr<OIIO::ImageInput> open_image(const std::filesystem::path& path) {
+    const std::string begin = first_bytes(path, formats.front().magic.size());
+    const auto format =
+        std::ranges::find_if(formats, [&](const Format& known) { return begin.starts_with(known.magic); });
+    if (format == formats.end()) fail("cannot read image '{}': it is not {}", path.string(), readable_images());
+    std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format->reader);
+    if (!input) fail("cannot read image '{}': {}", path.string(), reason(OIIO::geterror()));
+    OIIO::ImageSpec hints;
+    hints.attribute("oiio:UnassociatedAlpha", 1);
+    OIIO::ImageSpec ignored;
+    if (!input->open(path.string(), ignored, hints)) {
+        fail("cannot read image '{}': {}; the file is damaged, or not {}", path.string(), reason(input->geterror()),
+             readable_images());
+    }
+    check_layout(path, input->spec());
+    return input;
+}
+
+RasterFile header_of(const OIIO::ImageSpec& spec) {
+    RasterFile raster;
+    raster.size = {spec.width, spec.height};
+    raster.channel_names = spec.channelnames;
+    raster.bits = static_cast<int>(spec.format.basesize() * 8);
+    return raster;
 }
 
 /// OpenImageIO multiplies integers by a rounded reciprocal; this restores stored/maximum to the last bit.
@@ -75,34 +129,25 @@ std::string encoded(const std::filesystem::path& path, const RasterFile& raster,
 }  // namespace
 
 std::string readable_images() {
-    return "any image that OpenImageIO reads";
+    return "a PNG, JPEG, TIFF, OpenEXR, PFM, or binary PGM or PPM image";
+}
+
+RasterFile read_raster_header(const std::filesystem::path& path) {
+    check_is_file(path);
+    const std::string begin = first_bytes(path, longest_netpbm_header);
+    return is_netpbm(begin) ? parse_netpbm_header(begin, path) : header_of(open_image(path)->spec());
 }
 
 RasterFile read_raster_file(const std::filesystem::path& path) {
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) {
-        fail("cannot read image '{}': {}", path.string(), error ? error.message() : "no such file");
-    }
-    if (!std::filesystem::is_regular_file(path, error)) fail("cannot read image '{}': it is not a file", path.string());
-
+    check_is_file(path);
     // OpenImageIO 2.4 rounds 16-bit grey maps down: 65535 comes as 65534.
-    if (is_netpbm_file(path)) return parse_netpbm(read_text_file(path), path);
+    if (is_netpbm(first_bytes(path, netpbm_magic_length))) return parse_netpbm(read_text_file(path), path);
 
-    OIIO::ImageSpec hints;
-    hints.attribute("oiio:UnassociatedAlpha", 1);
-    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string(), &hints);
-    if (!input) {
-        fail("cannot read image '{}': {}; give an image file that OpenImageIO reads", path.string(),
-             reason(OIIO::geterror()));
-    }
+    const std::unique_ptr<OIIO::ImageInput> input = open_image(path);
     const OIIO::ImageSpec& spec = input->spec();
-    check_layout(path, spec);
-
-    RasterFile raster;
-    raster.size = {spec.width, spec.height};
-    raster.channel_names = spec.channelnames;
-    raster.bits = static_cast<int>(spec.format.basesize() * 8);
-    raster.values.resize(raster.size.pixels() * static_cast<std::size_t>(spec.nchannels));
+    RasterFile raster = header_of(spec);
+    check_raster_memory(path, raster);
+    raster.values.resize(raster.size.pixels() * raster.channel_names.size());
     const bool complete = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, raster.values.data());
     // Some readers fill the rest of a truncated file and report it as an error only.
     if (!complete || input->has_error()) {

@@ -24,11 +24,15 @@ struct RasterFile {
     int channels() const { return static_cast<int>(channel_names.size()); }
 };
 
-/// For help texts: "any image that OpenImageIO reads".
+/// For help texts: "a PNG, JPEG, ... image".
 std::string readable_images();
 
-/// An Error names the file and what is wrong with it: missing, unreadable, of no size.
+/// Formats are told by a file's first bytes, so that no decoder but those of readable_images() sees it. An Error names
+/// the file and what is wrong with it: missing, unreadable, of no size, larger than memory.
 RasterFile read_raster_file(const std::filesystem::path& path);
+
+/// What the file's header says, without `values`.
+RasterFile read_raster_header(const std::filesystem::path& path);
 
 /// By extension: `.png` (8 bits, values clamped to [0, 1]) or `.exr` (32-bit float; the file keeps channels by name,
 /// not in order; not in the portable build). Any channel names. `bits` is ignored. Nothing is left behind on failure.

@@ -84,6 +84,19 @@ float stored_float(std::string_view pixels, std::size_t position, bool swapped) 
     return std::bit_cast<float>(bytes);
 }
 
+std::size_t bytes_of_value(const Header& header) {
+    return header.is_float ? sizeof(float) : header.maximum_or_scale > 255 ? 2 : 1;
+}
+
+RasterFile without_values(const Header& header) {
+    RasterFile raster;
+    raster.size = header.size;
+    raster.bits = static_cast<int>(8 * bytes_of_value(header));
+    raster.channel_names =
+        header.channels == 3 ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};
+    return raster;
+}
+
 }  // namespace
 
 bool is_netpbm(std::string_view bytes) {
@@ -93,20 +106,22 @@ bool is_netpbm(std::string_view bytes) {
                        [&](const char* magic) { return bytes.starts_with(magic); });
 }
 
+RasterFile parse_netpbm_header(std::string_view bytes, const std::filesystem::path& path) {
+    assert(is_netpbm(bytes));
+    return without_values(parse_header(bytes, path));
+}
+
 RasterFile parse_netpbm(std::string_view bytes, const std::filesystem::path& path) {
     assert(is_netpbm(bytes));
     const Header header = parse_header(bytes, path);
-    const std::size_t bytes_each = header.is_float ? sizeof(float) : header.maximum_or_scale > 255 ? 2 : 1;
+    const std::size_t bytes_each = bytes_of_value(header);
     const std::size_t row_values =
         static_cast<std::size_t>(header.size.width) * static_cast<std::size_t>(header.channels);
     const std::size_t count = row_values * static_cast<std::size_t>(header.size.height);
     if (header.pixels.size() < count * bytes_each) fail_damaged(path, "it has fewer pixels than its header says");
 
-    RasterFile raster;
-    raster.size = header.size;
-    raster.bits = static_cast<int>(8 * bytes_each);
-    raster.channel_names =
-        header.channels == 3 ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};
+    RasterFile raster = without_values(header);
+    check_raster_memory(path, raster);
     raster.values.resize(count);
     const bool swapped = (header.maximum_or_scale > 0) == (std::endian::native == std::endian::little);
     for (std::size_t index = 0; index < count; ++index) {

@@ -53,34 +53,53 @@ std::vector<float> fractions_of_maximum(const Stored* stored, std::size_t count)
     return values;
 }
 
-RasterFile parse_png(std::string_view bytes, const std::filesystem::path& path) {
-    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+const stbi_uc* data_of(std::string_view bytes) {
+    return reinterpret_cast<const stbi_uc*>(bytes.data());
+}
+
+RasterFile parse_png_header(std::string_view bytes, const std::filesystem::path& path) {
     if (bytes.size() > std::numeric_limits<int>::max()) fail("cannot read image '{}': it is too large", path.string());
     const int length = static_cast<int>(bytes.size());
     int width = 0;
     int height = 0;
     int channels = 0;
-    if (!stbi_info_from_memory(data, length, &width, &height, &channels)) fail_to_read(path);
+    if (!stbi_info_from_memory(data_of(bytes), length, &width, &height, &channels)) fail_to_read(path);
     check_raster_size(path, width, height, channels);
-
     RasterFile raster;
     raster.size = {width, height};
     raster.channel_names = names_of_channels(channels);
+    raster.bits = stbi_is_16_bit_from_memory(data_of(bytes), length) ? 16 : 8;
+    return raster;
+}
+
+RasterFile parse_png(std::string_view bytes, const std::filesystem::path& path) {
+    RasterFile raster = parse_png_header(bytes, path);
+    check_raster_memory(path, raster);
+    const stbi_uc* const data = data_of(bytes);
+    const int length = static_cast<int>(bytes.size());
+    int width = 0;
+    int height = 0;
+    int channels = raster.channels();
     const std::size_t count = raster.size.pixels() * static_cast<std::size_t>(channels);
-    if (stbi_is_16_bit_from_memory(data, length)) {
+    if (raster.bits == 16) {
         const std::unique_ptr<stbi_us, FreePixels> pixels(
             stbi_load_16_from_memory(data, length, &width, &height, &channels, channels));
         if (!pixels) fail_to_read(path);
-        raster.bits = 16;
         raster.values = fractions_of_maximum(pixels.get(), count);
     } else {
         const std::unique_ptr<stbi_uc, FreePixels> pixels(
             stbi_load_from_memory(data, length, &width, &height, &channels, channels));
         if (!pixels) fail_to_read(path);
-        raster.bits = 8;
         raster.values = fractions_of_maximum(pixels.get(), count);
     }
     return raster;
+}
+
+[[noreturn]] void fail_unknown_format(const std::filesystem::path& path) {
+    fail(
+        "cannot read image '{}': this portable build reads PNG, PFM and binary PGM and PPM only; convert it, or use a "
+        "build with OpenImageIO",
+        path.string());
 }
 
 std::string format_png(const RasterFile& raster, const std::filesystem::path& path) {
@@ -103,10 +122,14 @@ RasterFile read_plain_image(const std::filesystem::path& path) {
     const std::string bytes = read_text_file(path);
     if (is_netpbm(bytes)) return parse_netpbm(bytes, path);
     if (bytes.starts_with(png_magic)) return parse_png(bytes, path);
-    fail(
-        "cannot read image '{}': this portable build reads PNG, PFM and binary PGM and PPM only; convert it, or use a "
-        "build with OpenImageIO",
-        path.string());
+    fail_unknown_format(path);
+}
+
+RasterFile read_plain_header(const std::filesystem::path& path) {
+    const std::string bytes = read_text_file(path);
+    if (is_netpbm(bytes)) return parse_netpbm_header(bytes, path);
+    if (bytes.starts_with(png_magic)) return parse_png_header(bytes, path);
+    fail_unknown_format(path);
 }
 
 void write_plain_image(const std::filesystem::path& path, const RasterFile& raster) {

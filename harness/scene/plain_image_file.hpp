@@ -9,6 +9,7 @@ namespace reliefbench {
 
 /// PNG (8 and 16 bits), binary PGM and PPM, and PFM: told by content, not by name.
 RasterFile read_plain_image(const std::filesystem::path& path);
+RasterFile read_plain_header(const std::filesystem::path& path);
 
 /// `.png` or `.pfm`, by extension.
 void write_plain_image(const std::filesystem::path& path, const RasterFile& raster);

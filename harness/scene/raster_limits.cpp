@@ -1,6 +1,7 @@
 #include "scene/raster_limits.hpp"
 
 #include "core/error.hpp"
+#include "core/memory.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,16 @@ void check_raster_size(const std::filesystem::path& path, int width, int height,
         fail("image '{}' claims {}x{} pixels of {} channels, more than can be read: scale it down", path.string(),
              width, height, channels);
     }
+}
+
+void check_raster_memory(const std::filesystem::path& path, const RasterFile& header) {
+    const std::uint64_t values = std::uint64_t{header.size.pixels()} * header.channel_names.size();
+    const std::uint64_t needed = values * (sizeof(float) + static_cast<std::uint64_t>(header.bits) / 8);
+    const std::uint64_t available = available_memory();
+    if (needed <= available) return;
+    fail("image '{}' of {}x{} pixels and {} channels takes {} to read, and {} is available: scale it down",
+         path.string(), header.size.width, header.size.height, header.channels(), memory_text(needed),
+         memory_text(available));
 }
 
 void check_png_channels(const std::filesystem::path& path, int channels) {

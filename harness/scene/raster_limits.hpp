@@ -1,5 +1,7 @@
 #pragma once
 
+#include "scene/image_file.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <vector>
@@ -10,6 +12,9 @@ namespace reliefbench {
 
 /// Throws Error for an image without pixels, and for one of more values than the largest height map with four channels.
 void check_raster_size(const std::filesystem::path& path, int width, int height, int channels);
+
+/// Throws Error where this machine has not the memory for the values that the header claims, and the decoder's copy.
+void check_raster_memory(const std::filesystem::path& path, const RasterFile& header);
 
 /// Throws Error for a count of channels that PNG does not take.
 void check_png_channels(const std::filesystem::path& path, int channels);

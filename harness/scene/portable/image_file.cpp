@@ -12,6 +12,10 @@ RasterFile read_raster_file(const std::filesystem::path& path) {
     return read_plain_image(path);
 }
 
+RasterFile read_raster_header(const std::filesystem::path& path) {
+    return read_plain_header(path);
+}
+
 void write_raster_file(const std::filesystem::path& path, const RasterFile& raster) {
     write_plain_image(path, raster);
 }
