@@ -9,8 +9,10 @@
 #include <glslang/SPIRV/GlslangToSpv.h>
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 #include <optional>
+#include <set>
 #include <sstream>
 
 namespace reliefbench::gpu {
@@ -19,6 +21,7 @@ namespace {
 
 constexpr int glsl_version = 460;
 constexpr std::size_t deepest_include = 16;
+constexpr std::uint64_t largest_source = std::uint64_t{4} << 20;
 
 EShLanguage glslang_stage(ShaderStage stage) {
     switch (stage) {
@@ -65,12 +68,12 @@ std::string read_source(const ShaderSource& source, const std::string& name) {
             places.push_back(root.string());
         fail("'{}' is not in {}", name, join(places, " or "));
     }
-    return read_text_file(*found);
+    return read_text_file(*found, largest_source);
 }
 
 class Includer final : public glslang::TShader::Includer {
 public:
-    explicit Includer(const ShaderSource& source) : source_(source) {}
+    Includer(const ShaderSource& source, const ChildNote& note) : source_(source), note_(note) {}
 
     IncludeResult* includeLocal(const char* name, const char* /*includer*/, std::size_t depth) override {
         std::string resolved = name;
@@ -78,7 +81,8 @@ public:
         try {
             if (depth > deepest_include) fail("'{}' is included {} deep: does a file include itself?", name, depth);
             text = read_source(source_, name);
-        } catch (const Error& error) {
+            note(name);
+        } catch (const std::exception& error) {
             resolved.clear();
             text = error.what();
         }
@@ -97,18 +101,29 @@ public:
     }
 
 private:
+    /// A file that is read again and again is told once.
+    void note(const std::string& name) {
+        if (last_noted_ != name) note_("it had read '" + name + "'");
+        last_noted_ = name;
+    }
+
     const ShaderSource& source_;
+    const ChildNote& note_;
+    std::string last_noted_;
 };
 
 /// glslang's log with one complaint per line and without its "ERROR: " and its closing counts.
 std::string complaints(const char* log) {
     constexpr std::string_view prefix = "ERROR: ";
+    constexpr int most_told = 20;
     std::istringstream lines(log);
     std::string result;
+    int told = 0;
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with(prefix)) line.erase(0, prefix.size());
         const bool says_something = line.find(':') != std::string::npos && !line.starts_with("WARNING");
         if (!says_something) continue;
+        if (told++ == most_told) return result + "\n...";
         if (!result.empty()) result += '\n';
         result += line;
     }
@@ -121,11 +136,7 @@ struct GlslangProcess {
     ~GlslangProcess() { glslang::FinalizeProcess(); }
 };
 
-}  // namespace
-
-SpirV compile_shader(const ShaderSource& source) {
-    static const GlslangProcess process;
-
+SpirV compile_here(const ShaderSource& source, const ChildNote& note) {
     const EShLanguage stage = glslang_stage(source.stage);
     const std::string front = "#version " + std::to_string(glsl_version) +
                               "\n#extension GL_GOOGLE_include_directive : require\n" + source.preamble;
@@ -140,7 +151,7 @@ SpirV compile_shader(const ShaderSource& source) {
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
     const auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
-    Includer includer(source);
+    Includer includer(source, note);
     if (!shader.parse(GetDefaultResources(), glsl_version, ENoProfile, false, false, messages, includer))
         fail("{}", complaints(shader.getInfoLog()));
 
@@ -152,6 +163,38 @@ SpirV compile_shader(const ShaderSource& source) {
     glslang::SpvOptions options;
     options.disableOptimizer = true;
     glslang::GlslangToSpv(*program.getIntermediate(stage), words, &options);
+    return words;
+}
+
+/// The tables of a stage's built-in functions take most of the time of a small shader: made once here, the children
+/// have them.
+void make_tables(ShaderStage stage) {
+    static const GlslangProcess process;
+    static std::set<ShaderStage> made;
+    if (!made.insert(stage).second) return;
+    const std::string layout = stage == ShaderStage::tessellation_control      ? "layout(vertices = 1) out;\n"
+                               : stage == ShaderStage::tessellation_evaluation ? "layout(triangles) in;\n"
+                                                                               : "";
+    const ShaderSource nothing{.stage = stage,
+                               .file = "nothing",
+                               .roots = {},
+                               .generated = {{"nothing", layout + "void main() {}\n"}},
+                               .preamble = ""};
+    compile_here(nothing, [](std::string_view) {});
+}
+
+}  // namespace
+
+SpirV compile_shader(const ShaderSource& source, const ChildLimits& limits) {
+    make_tables(source.stage);
+    const auto compile = [&](const ChildNote& note) {
+        const SpirV words = compile_here(source, note);
+        return std::string(reinterpret_cast<const char*>(words.data()), words.size() * sizeof(words.front()));
+    };
+    const std::string what = source.file + ": the compiler did not come to an end";
+    const std::string bytes = run_in_child(what, compile, limits);
+    SpirV words(bytes.size() / sizeof(words.front()));
+    std::memcpy(words.data(), bytes.data(), bytes.size());
     return words;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/limited_child.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -26,7 +28,8 @@ struct ShaderSource {
     std::string preamble;
 };
 
-/// GLSL 4.60 for Vulkan 1.3, #include enabled. An Error has one line per complaint: "file:line: message".
-SpirV compile_shader(const ShaderSource& source);
+/// GLSL 4.60 for Vulkan 1.3, #include enabled. An Error has one line per complaint: "file:line: message". glslang has
+/// no bounds of its own (a few lines of macros can expand without end): it runs in a child process with `limits`.
+SpirV compile_shader(const ShaderSource& source, const ChildLimits& limits = {});
 
 }  // namespace reliefbench::gpu

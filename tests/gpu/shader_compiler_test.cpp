@@ -38,6 +38,18 @@ protected:
         return error_message([&] { compile(); });
     }
 
+    /// Of a compiler that is given little.
+    std::string error_within(const ChildLimits& limits) const {
+        return error_message([&] {
+            compile_shader({.stage = ShaderStage::compute,
+                            .file = "main.comp",
+                            .roots = {folder_ / "a", folder_ / "b"},
+                            .generated = {},
+                            .preamble = ""},
+                           limits);
+        });
+    }
+
     const fs::path& folder() const { return folder_.path(); }
 
 private:
@@ -83,6 +95,49 @@ TEST_F(ShaderCompiler, CycleEnds) {
     write("a/main.comp", "#include \"loop.glsl\"\nvoid main() {}\n");
     write("a/loop.glsl", "#include \"loop.glsl\"\n");
     EXPECT_THAT(error(), HasSubstr("does a file include itself?"));
+}
+
+TEST_F(ShaderCompiler, IncludesThatMultiplyEnd) {
+    // Each file includes the next one twice: 2^15 files in all.
+    write("a/main.comp", "#include \"0.glsl\"\nvoid main() {}\n");
+    for (int i = 0; i < 40; ++i)
+        write(fmt::format("a/{}.glsl", i), fmt::format("#include \"{0}.glsl\"\n#include \"{0}.glsl\"\n", i + 1));
+    const std::string message = error();
+    EXPECT_THAT(message, HasSubstr("15.glsl:1:"));
+    EXPECT_LT(message.size(), 10000u) << "one complaint after the other";
+}
+
+/// x0 is one statement, x1 two of it, x2 four, ... and main() has the last.
+std::string doubling_macros(int doublings) {
+    std::string text = "#define x0 y += 1.0;\n";
+    for (int i = 1; i <= doublings; ++i)
+        text += fmt::format("#define x{0} x{1} x{1}\n", i, i - 1);
+    return text + fmt::format("void main() {{ float y = 0.0; x{} }}\n", doublings);
+}
+
+TEST_F(ShaderCompiler, AMillionMacroExpansionsEnd) {
+    write("a/main.comp", "#include \"macros.glsl\"\n");
+    write("a/macros.glsl", doubling_macros(20));
+    const std::string within_time = error_within({.cpu_s = 1});
+    EXPECT_THAT(within_time, HasSubstr("main.comp: the compiler did not come to an end: "));
+    EXPECT_THAT(within_time, HasSubstr("it had read 'macros.glsl'"));
+    EXPECT_THAT(error_within({.memory_bytes = 100 << 20}), HasSubstr("did not come to an end"));
+}
+
+TEST_F(ShaderCompiler, WhatIsTooLargeForADriverIsNotGivenToIt) {
+    write("a/main.comp", doubling_macros(10));
+    EXPECT_THAT(error_within({.result_bytes = 4096}), HasSubstr("what it made is larger than 1 MB"));
+    EXPECT_FALSE(compile().empty());
+}
+
+TEST_F(ShaderCompiler, ACompilerThatCrashesIsAnError) {
+    // Every level is a call of the parser's, and of all that walk the tree.
+    constexpr int levels = 200000;
+    write("a/main.comp",
+          "void main() { int x = " + std::string(levels, '(') + "1" + std::string(levels, ')') + "; }\n");
+    EXPECT_THAT(error(), HasSubstr("main.comp"));
+    write("a/main.comp", "void main() { int x = " + std::string(levels, '-') + "1; }\n");
+    EXPECT_THAT(error(), HasSubstr("main.comp"));
 }
 
 TEST_F(ShaderCompiler, NameInTwoRootsIsAmbiguous) {
