@@ -221,7 +221,9 @@ public:
         bool dropped = false;
         for (std::size_t index = 0; index < plan_.exclusions.size(); ++index) {
             const bool matches = std::ranges::all_of(plan_.exclusions[index], [&](const auto& condition) {
-                const auto& [name, values] = condition;
+                // Not a structured binding: Clang 14 takes none into a lambda.
+                const std::string& name = condition.first;
+                const std::vector<Json>& values = condition.second;
                 const Json quantity = cell_quantity(cell, name, plan_.manifests);
                 return std::ranges::any_of(values,
                                            [&](const Json& value) { return quantity_equals(name, quantity, value); });
