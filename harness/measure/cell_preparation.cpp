@@ -1,6 +1,7 @@
 #include "measure/cell_preparation.hpp"
 
 #include "measure/cell_figures.hpp"
+#include "measure/memory_need.hpp"
 #include "metrics/hit_errors.hpp"
 #include "metrics/image_errors.hpp"
 #include "metrics/shadow_errors.hpp"
@@ -41,6 +42,18 @@ Preparation time_preparation(Renderer& renderer, const Configuration& configurat
     return renderer.prepare(settings);
 }
 
+/// Why the cell cannot be made on this machine; empty where it can. Nothing is loaded for it.
+std::string refusal(const gpu::Device& device, const Technique& technique, const Cell& cell, const SharedInputs& inputs,
+                    const Configuration& configuration) {
+    const InputSizes sizes = input_sizes(cell.view.height_map);
+    const std::string unsupported =
+        unsupported_reason(device, technique, cell.parameters, cell.view.view, sizes.height_map);
+    if (!unsupported.empty()) return unsupported;
+    MemoryNeed need = cell_need(technique, cell, sizes, configuration);
+    if (!inputs.has_map(cell.view)) need = with_inputs(need, sizes, cell.view.height_format);
+    return lacking_memory(device, "the cell", need);
+}
+
 }  // namespace
 
 CellResult blank_result(const Cell& cell) {
@@ -61,11 +74,10 @@ std::string describe(const PreparationProgress& progress) {
 PreparedOrSkipped prepare_cell(const gpu::Device& device, const Technique& technique, const Cell& cell,
                                SharedInputs& inputs, const Configuration& configuration,
                                const LongPreparation& long_preparation) {
+    const std::string refused = refusal(device, technique, cell, inputs, configuration);
+    if (!refused.empty()) return {std::nullopt, refused};
     const LoadedMap& loaded = inputs.map(cell.view);
     const View& view = cell.view.view;
-    const std::string unsupported =
-        unsupported_reason(device, technique, cell.parameters, view, loaded.map.heights.size);
-    if (!unsupported.empty()) return {std::nullopt, unsupported};
     Renderer renderer(device, technique, cell.parameters, loaded.scene, view, configuration.lighting,
                       configuration.object);
     Preparation preparation = time_preparation(renderer, configuration, long_preparation);

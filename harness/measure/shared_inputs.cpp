@@ -1,6 +1,10 @@
 #include "measure/shared_inputs.hpp"
 
+#include "core/error.hpp"
 #include "core/hash.hpp"
+#include "core/log.hpp"
+#include "core/memory.hpp"
+#include "measure/memory_need.hpp"
 
 #include <algorithm>
 #include <span>
@@ -13,12 +17,28 @@ bool same_map(const ViewKey& key, const HeightMapSource& source, HeightFormat fo
     return key.height_map == source && key.height_format == format;
 }
 
+/// Empty where there is the memory.
+std::string too_large_to_inspect(const HeightMapSource& source, const InputSizes& sizes, HeightFormat format) {
+    const std::uint64_t needed = loading_need(sizes, format).host;
+    const std::uint64_t available = available_memory();
+    if (needed <= available) return {};
+    return fmt::format("height map '{}' of {}x{} takes about {} of memory to load, and {} is available", source.name,
+                       sizes.height_map.width, sizes.height_map.height, memory_text(needed), memory_text(available));
+}
+
 HeightMapRecord inspect(const ViewKey& key) {
-    const HeightMap map = load_height_map(key.height_map, key.height_format);
-    const Albedo albedo = load_albedo(key.height_map, map);
     HeightMapRecord record;
     record.source = key.height_map;
     record.format = key.height_format;
+    const InputSizes sizes = input_sizes(key.height_map);
+    if (const std::string reason = too_large_to_inspect(key.height_map, sizes, key.height_format); !reason.empty()) {
+        log_warning("{}", reason);
+        record.name = std::filesystem::path(key.height_map.name).filename().string();
+        record.size = sizes.height_map;
+        return record;
+    }
+    const HeightMap map = load_height_map(key.height_map, key.height_format);
+    const Albedo albedo = load_albedo(key.height_map, map);
     record.name = map.name;
     record.size = map.heights.size;
     record.hash = map.hash;
@@ -74,8 +94,17 @@ const LoadedMap& SharedInputs::map(const ViewKey& key) {
             return keyed.loaded;
         }
     }
+    const InputSizes sizes = input_sizes(key.height_map);
+    const std::string lacking =
+        lacking_memory(*device_, fmt::format("loading the height map '{}'", key.height_map.name),
+                       loading_need(sizes, key.height_format));
+    if (!lacking.empty()) fail("{}", lacking);
     maps_.push_back({key.height_map, key.height_format, LoadedMap(*device_, key.height_map, key.height_format)});
     return maps_.back().loaded;
+}
+
+bool SharedInputs::has_map(const ViewKey& key) const {
+    return std::ranges::any_of(maps_, [&](const KeyedMap& keyed) { return same_map(key, keyed.source, keyed.format); });
 }
 
 const Truth& SharedInputs::truth(const ViewKey& view) {

@@ -24,7 +24,8 @@ struct HeightMapRecord {
     bool constant = false;
 };
 
-/// Loads every height map and albedo of the cells once, so that a bad one is an Error before anything is written.
+/// Loads every height map and albedo of the cells once, so that a bad one is an Error before anything is written. One
+/// that the memory does not hold is a warning, and has no hashes: its cells are skipped.
 std::vector<HeightMapRecord> inspect_height_maps(const std::vector<Cell>& cells);
 
 /// A height map loaded and on the device.
@@ -46,7 +47,9 @@ public:
     SharedInputs(const gpu::Device& device, const Lighting& lighting, const TruthSettings& settings,
                  const std::optional<SceneObject>& object = std::nullopt);
 
+    /// An Error where there is not the memory for it.
     const LoadedMap& map(const ViewKey& key);
+    bool has_map(const ViewKey& key) const;
     /// Valid until the truth of another view is asked for.
     const Truth& truth(const ViewKey& view);
     /// The same view's from another camera, which is not kept, without shadows.

@@ -22,6 +22,13 @@ float quantise_channel(double linear) {
     return quantise(std::clamp(linear, 0.0, 1.0), HeightFormat::r16);
 }
 
+void check_size(const std::string& name, Resolution size) {
+    if (size.width > largest_side || size.height > largest_side) {
+        fail("albedo '{}' of {}x{}: each side must have at most {} texels; scale it down", name, size.width,
+             size.height, largest_side);
+    }
+}
+
 Albedo default_albedo(const HeightMap& map) {
     Albedo albedo;
     albedo.texels = Image<std::array<float, 4>>(map.heights.size);
@@ -59,14 +66,18 @@ std::array<double, 3> Albedo::sample(double u, double v) const {
     return colour;
 }
 
+Resolution albedo_size(const HeightMapSource& source, Resolution height_map) {
+    if (source.albedo.empty()) return height_map;
+    const Resolution size = read_raster_header(source.albedo).size;
+    check_size(source.albedo, size);
+    return size;
+}
+
 Albedo load_albedo(const HeightMapSource& source, const HeightMap& map) {
     if (source.albedo.empty()) return default_albedo(map);
     const RasterFile raster = read_raster_file(source.albedo);
     const Resolution size = raster.size;
-    if (size.width > largest_side || size.height > largest_side) {
-        fail("albedo '{}' of {}x{}: each side must have at most {} texels; scale it down", source.albedo, size.width,
-             size.height, largest_side);
-    }
+    check_size(source.albedo, size);
     // One channel, or one and alpha: grey. Alpha is ignored.
     const bool grey = raster.channels() < 3;
     Albedo albedo;

@@ -26,4 +26,7 @@ struct Albedo {
 /// from a dark to a light stone colour by height, so that a wrong hit shows in the picture (docs/measurement.md).
 Albedo load_albedo(const HeightMapSource& source, const HeightMap& map);
 
+/// Without loading it; that of the height map where the source names no file.
+Resolution albedo_size(const HeightMapSource& source, Resolution height_map);
+
 }  // namespace reliefbench

@@ -221,6 +221,12 @@ HeightMap load_height_map(const HeightMapSource& source, HeightFormat format) {
     return map;
 }
 
+Resolution height_map_size(const HeightMapSource& source) {
+    const Resolution size = is_procedural(source.name) ? source.size : read_raster_header(source.name).size;
+    check_size(source.name, size);
+    return size;
+}
+
 HeightMap make_height_map(const Image<float>& heights, HeightFormat format, std::string name) {
     check_size(name, heights.size);
     assert(heights.texels.size() == heights.size.pixels());

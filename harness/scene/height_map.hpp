@@ -68,6 +68,9 @@ struct HeightMap {
 /// 16384 on a side.
 HeightMap load_height_map(const HeightMapSource& source, HeightFormat format);
 
+/// Without loading it: what the source says, or its file's header.
+Resolution height_map_size(const HeightMapSource& source);
+
 /// A height map from numbers already at hand (row 0 is v = 0), quantised; values must lie in [0, 1].
 HeightMap make_height_map(const Image<float>& heights, HeightFormat format, std::string name);
 

@@ -160,6 +160,12 @@ std::vector<double> time_empty_pass(const gpu::Device& device, int samples);
 std::string unsupported_reason(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
                                const View& view, Resolution height_map);
 
+/// Of the technique's derived maps on the device, those that exist while they are made only included.
+std::uint64_t derived_map_bytes(const Technique& technique, const ParameterValues& parameters, Resolution height_map);
+
+/// Of the device's own memory: its largest heap.
+std::uint64_t device_memory_bytes(const gpu::Device& device);
+
 /// The largest deviation δ of a filtered tap from exact bilinear interpolation of the stored values, for heights in
 /// [0, 1], measured with a compute pass. The filter's floor is δ·H·tanθ·N·tiling texels.
 double measure_filter_deviation(const gpu::Device& device, HeightFormat format);

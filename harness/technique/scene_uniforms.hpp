@@ -66,6 +66,9 @@ struct PatchGrid {
 /// within the relief.
 PatchGrid patch_grid(const Manifest& manifest, const ParameterValues& values, const View& view, Resolution height_map);
 
+/// Of patch_grid, also where that would be more than it can count.
+double patch_count(const Manifest& manifest, const ParameterValues& values, const View& view, Resolution height_map);
+
 /// At most `max_lights` lights, and directions of any length but zero: else an Error.
 SceneUniforms make_scene_uniforms(const View& view, const Lighting& lighting, const PatchGrid& patches);
 

@@ -1,6 +1,7 @@
 #include "core/error.hpp"
 #include "technique/derived_maps.hpp"
 #include "technique/renderer.hpp"
+#include "technique/scene_uniforms.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -11,6 +12,7 @@ namespace {
 
 /// Bytes of the work counters of one pixel (work.glsl).
 constexpr std::uint64_t work_bytes_per_pixel = 16;
+constexpr std::uint64_t scene_bytes_per_texel = 8;
 
 /// Empty: none of this format.
 std::optional<vk::Extent3D> largest_volume(const gpu::Device& device, const MapDeclaration& map) {
@@ -38,6 +40,42 @@ std::string unsupported_volume(const gpu::Device& device, const MapDeclaration& 
                        largest.depth);
 }
 
+/// Of the base level, in bytes.
+std::uint64_t map_bytes(const MapDeclaration& map, const ParameterValues& parameters, Resolution height_map) {
+    const vk::Extent2D extent = map_extent(map, height_map);
+    const auto slices = static_cast<std::uint64_t>(map.is_volume() ? map.slices(parameters) : 1);
+    return std::uint64_t{extent.width} * extent.height * slices * gpu::texel_bytes(vulkan_format(map));
+}
+
+/// A limit of drivers, below what the memory holds.
+std::string too_large_for_one_image(const gpu::Device& device, const std::string& what, std::uint64_t bytes) {
+    const auto properties =
+        device.handles()
+            .physical_device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance3Properties>();
+    const std::uint64_t most = properties.get<vk::PhysicalDeviceMaintenance3Properties>().maxMemoryAllocationSize;
+    if (bytes <= most) return {};
+    return fmt::format("{} would take {} bytes; {} gives at most {} at once", what, bytes, device.info().name, most);
+}
+
+/// What no device is asked to draw at once: a mistake in tiling or view, not a measurement.
+constexpr double most_patches = 1 << 22;
+/// Vulkan's minimum, and the most that technique.json can ask for.
+constexpr int tessellation_factor = 64;
+
+std::string unsupported_patches(const gpu::Device& device, const Technique& technique,
+                                const ParameterValues& parameters, const View& view, Resolution height_map) {
+    if (view.self_shadow.mode != SelfShadow::Mode::off)
+        return "self-shadowing searches along the light's ray in the relief; real geometry has no such search (an "
+               "engine would give it a shadow map)";
+    if (view.depth_write != DepthWrite::on) return "real geometry has its own depth, and no other";
+    if (device.info().max_tessellation_factor < tessellation_factor)
+        return fmt::format("{} cuts sides of patches into at most {} segments; {} are needed", device.info().name,
+                           device.info().max_tessellation_factor, tessellation_factor);
+    const double patches = patch_count(technique.manifest, parameters, view, height_map);
+    if (patches <= most_patches) return {};
+    return fmt::format("the view would take {:.3g} patches, more than {:.0f}", patches, most_patches);
+}
+
 std::string unsupported_map(const gpu::Device& device, const MapDeclaration& map, const ParameterValues& parameters,
                             Resolution height_map) {
     const vk::Extent2D extent = map_extent(map, height_map);
@@ -51,8 +89,11 @@ std::string unsupported_map(const gpu::Device& device, const MapDeclaration& map
     const bool writable = basic || device.info().has_feature("shaderStorageImageExtendedFormats");
     if (!writable || (properties.optimalTilingFeatures & needed) != needed)
         return fmt::format("{} cannot write or filter maps of format {}", device.info().name, map.format);
-    if (map.is_volume()) return unsupported_volume(device, map, extent, map.slices(parameters));
-    return {};
+    if (map.is_volume()) {
+        const std::string reason = unsupported_volume(device, map, extent, map.slices(parameters));
+        if (!reason.empty()) return reason;
+    }
+    return too_large_for_one_image(device, "the map '" + map.name + "'", map_bytes(map, parameters, height_map));
 }
 
 }  // namespace
@@ -69,23 +110,47 @@ std::string unsupported_reason(const gpu::Device& device, const Technique& techn
     for (const std::string& feature : needed) {
         if (!info.has_feature(feature)) return fmt::format("{} lacks the feature {}", info.name, feature);
     }
-    if (technique.manifest.shape.kind == Shape::Kind::patches && view.self_shadow.mode != SelfShadow::Mode::off)
-        return "self-shadowing searches along the light's ray in the relief; real geometry has no such search (an "
-               "engine would give it a shadow map)";
-    if (technique.manifest.shape.kind == Shape::Kind::patches && view.depth_write != DepthWrite::on)
-        return "real geometry has its own depth, and no other";
+    if (technique.manifest.shape.kind == Shape::Kind::patches) {
+        const std::string reason = unsupported_patches(device, technique, parameters, view, height_map);
+        if (!reason.empty()) return reason;
+    }
     const int largest = std::max({view.resolution.width, view.resolution.height, height_map.width, height_map.height});
     if (largest > info.max_image_side)
         return fmt::format("an image would be {} texels on a side; {} has {}", largest, info.name, info.max_image_side);
     if ((view.resolution.pixels() + 1) * work_bytes_per_pixel > info.max_storage_buffer_bytes)
-        return fmt::format("{}x{} pixels need more work counters than {} holds in a buffer", view.resolution.width,
-                           view.resolution.height, info.name);
+        return fmt::format("{}x{} pixels take {} bytes of work counters; {} has buffers of {}", view.resolution.width,
+                           view.resolution.height, (view.resolution.pixels() + 1) * work_bytes_per_pixel, info.name,
+                           info.max_storage_buffer_bytes);
+    // Of the textures that every cell has, derivatives and albedo take most.
+    const std::string large = too_large_for_one_image(device, "a texture of the height map's size",
+                                                      height_map.pixels() * scene_bytes_per_texel);
+    if (!large.empty()) return large;
     for (const MapDeclaration& map : technique.manifest.maps) {
         if (!all_hold(map.only_with, parameters)) continue;
         const std::string reason = unsupported_map(device, map, parameters, height_map);
         if (!reason.empty()) return reason;
     }
     return {};
+}
+
+std::uint64_t derived_map_bytes(const Technique& technique, const ParameterValues& parameters, Resolution height_map) {
+    std::uint64_t bytes = 0;
+    for (const MapDeclaration& map : technique.manifest.maps) {
+        if (!all_hold(map.only_with, parameters)) continue;
+        const std::uint64_t base = map_bytes(map, parameters, height_map);
+        bytes += map.mip_chain ? base + base / 3 : base;
+    }
+    return bytes;
+}
+
+std::uint64_t device_memory_bytes(const gpu::Device& device) {
+    const vk::PhysicalDeviceMemoryProperties& memory = device.handles().memory;
+    std::uint64_t largest = 0;
+    for (std::uint32_t heap = 0; heap < memory.memoryHeapCount; ++heap) {
+        const vk::MemoryHeap& candidate = memory.memoryHeaps[heap];
+        if (candidate.flags & vk::MemoryHeapFlagBits::eDeviceLocal) largest = std::max(largest, candidate.size);
+    }
+    return largest;
 }
 
 }  // namespace reliefbench
