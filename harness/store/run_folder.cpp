@@ -73,6 +73,38 @@ std::string image_name(const std::string& cell) {
     return name.substr(0, longest_image_name) + "-" + content_hash(cell).substr(0, hash_digits_in_name);
 }
 
+/// More shards than a sweep may have cells cannot be.
+constexpr std::int64_t most_shards = 1000000;
+
+/// What readers of stored runs look up without asking for its type. Records of other versions lack some.
+void check_run_record(const JsonView& record) {
+    if (!record.json().is_object()) record.fail_expected("an object");
+    if (record.has("environment") && record.at("environment").has("time")) {
+        record.at("environment").at("time").string();
+    }
+    if (record.has("techniques")) {
+        for (const auto& [id, hash] : record.at("techniques").members())
+            hash.string();
+    }
+    if (record.has("height_maps")) {
+        for (const JsonView& map : record.at("height_maps").items()) {
+            for (const char* key : {"name", "format"}) {
+                if (map.has(key)) map.at(key).string();
+            }
+        }
+    }
+    if (record.has("shard")) record.at("shard").at("count").integer(1, most_shards);
+}
+
+/// Pictures only: a link could lead anywhere, and a folder into itself.
+void copy_images(const std::filesystem::path& from, const std::filesystem::path& to) {
+    for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(from)) {
+        if (entry.symlink_status().type() != std::filesystem::file_type::regular) continue;
+        std::filesystem::copy_file(entry.path(), to / entry.path().filename(),
+                                   std::filesystem::copy_options::skip_existing);
+    }
+}
+
 }  // namespace
 
 std::filesystem::path image_path(const std::filesystem::path& folder, const std::string& cell,
@@ -160,11 +192,12 @@ void RunWriter::append_recorded(const std::filesystem::path& other_run) {
     }
     const std::filesystem::path images = other_run / images_folder;
     if (!is_there(images)) return;
-    std::error_code error;
-    std::filesystem::copy(images, folder_ / images_folder,
-                          std::filesystem::copy_options::recursive | std::filesystem::copy_options::skip_existing,
-                          error);
-    if (error) fail("cannot copy {} into {}: {}", images.string(), folder_.string(), error.message());
+    make_folder(folder_ / images_folder);
+    try {
+        copy_images(images, folder_ / images_folder);
+    } catch (const std::filesystem::filesystem_error& error) {
+        fail("cannot copy {} into {}: {}", images.string(), folder_.string(), error.code().message());
+    }
 }
 
 void RunWriter::write_summary(const Json& summary) {
@@ -200,7 +233,9 @@ Json read_run_record(const std::filesystem::path& folder) {
     if (!holds_run(folder)) {
         fail("{} holds no run: there is no {} in it", folder.string(), run_file);
     }
-    return read_json_file(folder / run_file);
+    Json record = read_json_file(folder / run_file);
+    check_run_record(JsonView(record, (folder / run_file).string()));
+    return record;
 }
 
 std::vector<CellResult> parse_cells(std::string_view lines, const std::string& file) {
