@@ -1,16 +1,20 @@
 #include "cli/command.hpp"
 #include "cli/results.hpp"
+#include "cli/run_sources.hpp"
 #include "cli/terminal.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/suggest.hpp"
 #include "report/table.hpp"
 #include "store/merge.hpp"
+#include "sweep/shard.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <utility>
 
 namespace reliefbench {
 
@@ -22,22 +26,57 @@ struct MergeOptions {
     bool partial = false;
 };
 
+/// With the techniques that this machine has: where they are not those that were measured, nothing is known.
+std::vector<PlannedCell> planned_cells(const std::vector<NamedRun>& shards) {
+    try {
+        const std::string record = (std::filesystem::path(shards.front().name) / "run.json").string();
+        const RunSources sources = read_run_sources(record, {}, {}, {});
+        for (const NamedRun& run : shards) {
+            for (const auto& [id, hash] : run.run.run.at("techniques").items()) {
+                if (sources.library.get(id).hash != hash) fail("the technique '{}' has changed since", id);
+            }
+        }
+        const auto count = shards.front().run.run.at("shard").at("count").get<std::size_t>();
+        const std::vector<std::size_t> shard_of_cell = shards_of_cells(sources.cells, count);
+        std::vector<PlannedCell> planned;
+        for (std::size_t cell = 0; cell < shard_of_cell.size(); ++cell)
+            planned.push_back({sources.cells[cell].id, shard_of_cell[cell]});
+        return planned;
+    } catch (const Error& error) {
+        log_warning("whether cells are missing cannot be told here: {}", error.what());
+    } catch (const Json::exception&) {
+        // What the record lacks merge_runs tells.
+    }
+    return {};
+}
+
+/// Not longer than anyone reads.
+std::string missing_text(std::vector<std::string> missing) {
+    constexpr std::size_t most_told = 10;
+    const std::size_t count = missing.size();
+    if (count > most_told) {
+        missing.resize(most_told);
+        missing.push_back(fmt::format("and {} more", count - most_told));
+    }
+    return join(missing);
+}
+
 ExitCode merge(const MergeOptions& options) {
     std::vector<NamedRun> shards;
     for (const std::string& folder : options.folders)
         shards.push_back({folder, read_run(folder)});
-    const MergedRun merged = merge_runs(shards);
+    const std::vector<PlannedCell> planned = planned_cells(shards);
+    const MergedRun merged = merge_runs(std::move(shards), planned);
     if (!merged.missing.empty()) {
-        const std::string missing = join(merged.missing);
-        if (!options.partial) fail("{} missing: {}; --partial merges what there is", merged.missing.size(), missing);
+        const std::string missing = missing_text(merged.missing);
+        if (!options.partial) fail("missing: {}; --partial merges what there is", missing);
         log_warning("missing: {}", missing);
     }
     RunWriter writer(options.output, merged.run.run);
-    for (const CellResult& cell : merged.run.cells)
-        writer.append_cell(cell);
     for (const std::string& folder : options.folders)
         writer.append_recorded(folder);
-    fmt::print(stderr, "{} cells of {} shards in {}\n", merged.run.cells.size(), shards.size(), options.output);
+    fmt::print(stderr, "{} cells of {} shards in {}\n", merged.run.cells.size(), options.folders.size(),
+               options.output);
     print_results(format_table(merged.run.cells, {.columns = std::min(table_columns(), TableStyle().columns)}));
     return ExitCode::done;
 }
@@ -51,10 +90,11 @@ void add_merge_command(CLI::App& app, ChosenCommand& chosen) {
         ->required()
         ->type_name("OUT");
     command->add_option("runs", options->folders, "Folders of the shards")->required()->type_name("RUN");
-    command->add_flag("--partial", options->partial, "Merge although shards are missing");
+    command->add_flag("--partial", options->partial, "Merge although shards or cells are missing");
     command->footer(
         "Shards must have the same configuration, sources, height maps, device and driver: times of different devices\n"
-        "never meet in one statistic. A cell or a shard that stands in two of them is an error (exit code 2).\n"
+        "never meet in one statistic. A cell or a shard that stands in two of them, or in none, is an error (exit code "
+        "2).\n"
         "Example: reliefbench merge results/whole results/part-*\n");
     command->callback([&chosen, options] { chosen = [options] { return merge(*options); }; });
 }

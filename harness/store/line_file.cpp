@@ -103,12 +103,16 @@ LineFile::~LineFile() {
 
 void LineFile::append(std::string_view line) {
     assert(line.find('\n') == std::string_view::npos);
+    append_lines(std::string(line) + '\n');
+}
+
+void LineFile::append_lines(std::string_view lines) {
+    assert(lines.empty() || lines.back() == '\n');
     if (was_removed(descriptor_)) {
         fail("{} was removed while it was being written; what was measured since is lost, run again", path_.string());
     }
-    const std::string text = std::string(line) + '\n';
-    if (write_all(descriptor_, text)) {
-        size_ += text.size();
+    if (write_all(descriptor_, lines)) {
+        size_ += lines.size();
         return;
     }
     const std::string reason = std::strerror(errno);

@@ -26,6 +26,8 @@ public:
 
     /// `line` without its end, and with none inside.
     void append(std::string_view line);
+    /// Any number of lines, each with its end.
+    void append_lines(std::string_view lines);
 
     /// Of the last line, cut short, that was taken out at the start.
     std::size_t repaired_bytes() const { return repaired_bytes_; }

@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <cassert>
 #include <map>
-#include <set>
+#include <unordered_map>
+#include <utility>
 
 namespace reliefbench {
 
@@ -88,14 +89,53 @@ Json part_record(const NamedRun& run) {
     return part;
 }
 
+/// No shard and no cell stands in two of the runs.
+class SeenOnce {
+public:
+    void add_shard(const ShardNumber& shard, const std::string& run) {
+        if (const auto [place, is_new] = run_of_shard_.emplace(shard.index, run); !is_new) {
+            fail("{} and {} are both shard {}/{}; leave one of them out", place->second, run, shard.index, shard.count);
+        }
+    }
+
+    void add_cell(const std::string& cell, const std::string& run) {
+        if (const auto [place, is_new] = run_of_cell_.emplace(cell, &run); !is_new) {
+            fail("the cell '{}' stands in {} and in {}; leave one of them out", cell, *place->second, run);
+        }
+    }
+
+    /// In words: shards first.
+    std::vector<std::string> missing(std::int64_t shards, std::span<const PlannedCell> planned) const {
+        std::vector<std::string> missing;
+        for (std::int64_t index = 1; index <= shards; ++index) {
+            if (!run_of_shard_.contains(index)) missing.push_back(fmt::format("shard {}/{}", index, shards));
+        }
+        std::map<std::int64_t, std::vector<std::string>> cells_of_shard;
+        for (const PlannedCell& cell : planned) {
+            const auto shard = static_cast<std::int64_t>(cell.shard);
+            if (run_of_shard_.contains(shard) && !run_of_cell_.contains(cell.cell))
+                cells_of_shard[shard].push_back(cell.cell);
+        }
+        for (const auto& [shard, cells] : cells_of_shard) {
+            missing.push_back(fmt::format(
+                "{} of shard {}/{} ({}): '{}'{}", cells.size() == 1 ? "a cell" : fmt::format("{} cells", cells.size()),
+                shard, shards, run_of_shard_.at(shard), cells.front(), cells.size() == 1 ? "" : " and others"));
+        }
+        return missing;
+    }
+
+private:
+    std::map<std::int64_t, std::string> run_of_shard_;
+    std::unordered_map<std::string, const std::string*> run_of_cell_;
+};
+
 }  // namespace
 
-MergedRun merge_runs(std::span<const NamedRun> shards) {
+MergedRun merge_runs(std::vector<NamedRun> shards, std::span<const PlannedCell> planned) {
     assert(!shards.empty());
     const NamedRun& first = shards.front();
     const std::int64_t count = shard_of(first).count;
-    std::map<std::int64_t, std::string> run_of_shard;
-    std::map<std::string, std::string> run_of_cell;
+    SeenOnce seen;
     Json height_maps = Json::array();
     Json techniques = Json::object();
     MergedRun merged;
@@ -103,31 +143,26 @@ MergedRun merge_runs(std::span<const NamedRun> shards) {
     merged.run.run.erase("shard");
     merged.run.run.erase("resumed");
     merged.run.run["merged"] = Json::array();
-    for (const NamedRun& run : shards) {
+    for (NamedRun& run : shards) {
         const ShardNumber shard = shard_of(run);
         if (shard.count != count) {
             fail("{} is one of {} shards, {} one of {}: they are parts of different runs", first.name, count, run.name,
                  shard.count);
         }
         require_same_run(first, run);
-        if (const auto [place, is_new] = run_of_shard.emplace(shard.index, run.name); !is_new) {
-            fail("{} and {} are both shard {}/{}; leave one of them out", place->second, run.name, shard.index, count);
-        }
-        for (const CellResult& cell : run.run.cells) {
-            if (const auto [place, is_new] = run_of_cell.emplace(cell.cell, run.name); !is_new) {
-                fail("the cell '{}' stands in {} and in {}; leave one of them out", cell.cell, place->second, run.name);
-            }
-            merged.run.cells.push_back(cell);
-        }
+        seen.add_shard(shard, run.name);
         add_height_maps(height_maps, run);
         add_techniques(techniques, run);
         merged.run.run["merged"].push_back(part_record(run));
+        for (CellResult& cell : run.run.cells) {
+            seen.add_cell(cell.cell, run.name);
+            merged.run.cells.push_back(std::move(cell));
+        }
+        run.run.cells.clear();
     }
     merged.run.run["height_maps"] = std::move(height_maps);
     merged.run.run["techniques"] = std::move(techniques);
-    for (std::int64_t index = 1; index <= count; ++index) {
-        if (!run_of_shard.contains(index)) merged.missing.push_back(fmt::format("shard {}/{}", index, count));
-    }
+    merged.missing = seen.missing(count, planned);
     return merged;
 }
 

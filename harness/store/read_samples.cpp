@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/statistics.hpp"
+#include "store/parsed_lines.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -18,6 +19,8 @@ constexpr const char* throttled_key = "throttled";
 
 RawSamples parse_samples(const JsonView& view) {
     RawSamples samples;
+    samples.throttled = view.has(throttled_key) && view.at(throttled_key).boolean();
+    if (samples.throttled) return samples;
     samples.cell = view.at("cell").string();
     samples.pass = view.at("pass").string();
     samples.round = static_cast<int>(view.at("round").integer(0, std::numeric_limits<int>::max()));
@@ -35,16 +38,13 @@ void read_samples(const std::filesystem::path& folder, const std::function<void(
     const std::filesystem::path path = folder / samples_file;
     std::ifstream file(path, std::ios::binary);
     if (!file) fail("cannot read {}: {}", path.string(), std::strerror(errno));
-    std::size_t number = 0;
-    for (std::string line; std::getline(file, line);) {
-        const std::string where = fmt::format("{} (line {})", path.string(), ++number);
-        if (file.eof()) fail("{}: the line is cut short; remove it", where);
+    const auto parse = [](std::string_view line, const std::string& where) {
         const Json json = parse_json(line, where);
-        const JsonView view(json, where);
-        if (view.has(throttled_key) && view.at(throttled_key).boolean()) continue;
-        on_samples(parse_samples(view));
-    }
-    if (file.bad()) fail("cannot read {}: {}", path.string(), std::strerror(errno));
+        return parse_samples(JsonView(json, where));
+    };
+    for_each_parsed_line(file, path.string(), parse, [&](const RawSamples& samples, const std::string&) {
+        if (!samples.throttled) on_samples(samples);
+    });
 }
 
 RoundMedians read_round_medians(const std::filesystem::path& folder, const std::string& pass) {

@@ -4,11 +4,14 @@
 #include "core/file.hpp"
 #include "core/hash.hpp"
 #include "store/crashes.hpp"
+#include "store/parsed_lines.hpp"
 
 #include <cctype>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
-#include <set>
 #include <string_view>
+#include <unordered_set>
 
 namespace reliefbench {
 
@@ -105,6 +108,22 @@ void copy_images(const std::filesystem::path& from, const std::filesystem::path&
     }
 }
 
+/// Some megabytes at a time. A last line that was cut short is left out.
+void append_whole_lines(const std::filesystem::path& from, LineFile& to) {
+    constexpr std::size_t bytes_at_a_time = std::size_t{8} << 20;
+    std::ifstream file(from, std::ios::binary);
+    std::string text;
+    do {
+        const std::size_t rest = text.size();
+        text.resize(rest + bytes_at_a_time);
+        file.read(text.data() + rest, bytes_at_a_time);
+        text.resize(rest + static_cast<std::size_t>(file.gcount()));
+        const std::size_t whole = text.rfind('\n') + 1;  // npos + 1 == 0
+        to.append_lines(std::string_view(text).substr(0, whole));
+        text.erase(0, whole);
+    } while (file);
+}
+
 }  // namespace
 
 std::filesystem::path image_path(const std::filesystem::path& folder, const std::string& cell,
@@ -181,10 +200,9 @@ void RunWriter::append_round(const RoundRecord& round) {
 }
 
 void RunWriter::append_recorded(const std::filesystem::path& other_run) {
-    for (const auto& [name, file] : {std::pair(samples_file, &samples_), std::pair(rounds_file, &rounds_)}) {
-        std::ifstream lines(other_run / name, std::ios::binary);
-        for (std::string line; std::getline(lines, line) && !lines.eof();)
-            (*file)->append(line);
+    for (const auto& [name, file] :
+         {std::pair(cells_file, &cells_), std::pair(samples_file, &samples_), std::pair(rounds_file, &rounds_)}) {
+        append_whole_lines(other_run / name, **file);
     }
     for (const auto& [cell, reasons] : read_crashes(other_run)) {
         for (const std::string& reason : reasons)
@@ -238,29 +256,28 @@ Json read_run_record(const std::filesystem::path& folder) {
     return record;
 }
 
-std::vector<CellResult> parse_cells(std::string_view lines, const std::string& file) {
+std::vector<CellResult> parse_cells(std::istream& lines, const std::string& file) {
     std::vector<CellResult> cells;
-    std::set<std::string> ids;
-    std::size_t number = 1;
-    for (std::size_t begin = 0; begin < lines.size(); ++number) {
-        const std::string where = fmt::format("{} (line {})", file, number);
-        const std::size_t end = lines.find('\n', begin);
-        if (end == std::string_view::npos) fail("{}: the line is cut short; remove it", where);
-        const Json json = parse_json(lines.substr(begin, end - begin), where);
-        cells.push_back(parse_cell_result(json, where));
-        if (!ids.insert(cells.back().cell).second) {
-            fail("{}: the cell '{}' stands here for the second time; remove one", where, cells.back().cell);
+    std::unordered_set<std::string> ids;
+    const auto parse = [](std::string_view line, const std::string& where) {
+        return parse_cell_result(parse_json(line, where), where);
+    };
+    for_each_parsed_line(lines, file, parse, [&](CellResult&& cell, const std::string& where) {
+        if (!ids.insert(cell.cell).second) {
+            fail("{}: the cell '{}' stands here for the second time; remove one", where, cell.cell);
         }
-        begin = end + 1;
-    }
+        cells.push_back(std::move(cell));
+    });
     return cells;
 }
 
 Run read_run(const std::filesystem::path& folder) {
     Run run;
     run.run = read_run_record(folder);
-    const std::filesystem::path cells = folder / cells_file;
-    run.cells = parse_cells(read_text_file(cells), cells.string());
+    const std::filesystem::path path = folder / cells_file;
+    std::ifstream file(path, std::ios::binary);
+    if (!file) fail("cannot read {}: {}", path.string(), std::strerror(errno));
+    run.cells = parse_cells(file, path.string());
     return run;
 }
 

@@ -4,6 +4,7 @@
 #include "store/line_file.hpp"
 
 #include <filesystem>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -57,8 +58,8 @@ public:
     void append_cell(const CellResult& result);
     void append_samples(const RawSamples& samples);
     void append_round(const RoundRecord& round);
-    /// Samples, rounds, crashes and images of another run as they stand there. Last lines that were cut short are left out, and
-    /// so are images that are there already (legends).
+    /// Cells, samples, rounds, crashes and images of another run as they stand there. Last lines that were cut short
+    /// are left out, and so are images that are there already (legends).
     void append_recorded(const std::filesystem::path& other_run);
     /// At the run's end: summary.json.
     void write_summary(const Json& summary);
@@ -90,7 +91,7 @@ struct Run {
 Run read_run(const std::filesystem::path& folder);
 
 /// The cells of a cells.jsonl; `file` is for messages.
-std::vector<CellResult> parse_cells(std::string_view lines, const std::string& file);
+std::vector<CellResult> parse_cells(std::istream& lines, const std::string& file);
 
 /// run.json alone.
 Json read_run_record(const std::filesystem::path& folder);

@@ -1,21 +1,22 @@
 #include "sweep/shard.hpp"
 
 #include "core/error.hpp"
+#include "core/hash.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <charconv>
-#include <functional>
-#include <numeric>
 #include <optional>
+#include <tuple>
 
 namespace reliefbench {
 
 namespace {
 
-/// How many pixels of a truth take as long as sampling one cell: a cell's samples take about a second, and a second
-/// traces some millions of rays.
-constexpr double pixels_per_cell = 4e6;
+/// What takes as long as the part of a cell that does not depend on its pixels, about a second: comparing so many
+/// pixels with the truth, and drawing them, and tracing a truth of so many.
+constexpr double compared_pixels = 2e6;
+constexpr double traced_pixels = 4e6;
 
 std::optional<std::size_t> parse_count(std::string_view text) {
     std::size_t value = 0;
@@ -28,28 +29,38 @@ double pixels_of(const ViewKey& view) {
     return static_cast<double>(view.view.resolution.pixels());
 }
 
-/// In cells.
+/// In seconds, roughly.
 double cost_of(const Block& block, const std::vector<Cell>& cells) {
     double cost = 0;
     for (std::size_t place = 0; place < block.cells.size(); ++place) {
         const ViewKey& view = cells[block.cells[place]].view;
         const bool same_view = place > 0 && cells[block.cells[place - 1]].view == view;
-        cost += 1 + (same_view ? 0 : pixels_of(view) / pixels_per_cell);
+        cost += 1 + pixels_of(view) / compared_pixels + (same_view ? 0 : pixels_of(view) / traced_pixels);
     }
     return cost;
 }
 
-/// The shard of each block, from 0: the longest first to the one that has least (Graham 1969), ties to the first.
-std::vector<std::size_t> deal(const std::vector<double>& costs, std::size_t shards) {
-    std::vector<std::size_t> order(costs.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t block) { return costs[block]; });
+/// The shard of each block, from 0: the longest first to the one that has least (Graham 1969). Blocks that seem to cost
+/// the same come in an order that follows no axis, else one shard would get every grazing view.
+std::vector<std::size_t> deal(const std::vector<Block>& blocks, const std::vector<Cell>& cells, std::size_t shards) {
+    struct Place {
+        double cost = 0;
+        std::string hash;
+        std::size_t block = 0;
+    };
+    std::vector<Place> order;
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+        order.push_back({cost_of(blocks[block], cells), content_hash(cells[blocks[block].cells.front()].id), block});
+    }
+    std::ranges::sort(order, [](const Place& a, const Place& b) {
+        return std::tie(b.cost, a.hash, a.block) < std::tie(a.cost, b.hash, b.block);
+    });
     std::vector<double> loads(shards, 0.0);
-    std::vector<std::size_t> dealt(costs.size());
-    for (const std::size_t block : order) {
+    std::vector<std::size_t> dealt(blocks.size());
+    for (const Place& place : order) {
         const auto least = std::ranges::min_element(loads);
-        *least += costs[block];
-        dealt[block] = static_cast<std::size_t>(least - loads.begin());
+        *least += place.cost;
+        dealt[place.block] = static_cast<std::size_t>(least - loads.begin());
     }
     return dealt;
 }
@@ -71,21 +82,24 @@ std::string to_string(Shard shard) {
     return fmt::format("{}/{}", shard.index, shard.count);
 }
 
-std::vector<Cell> cells_of_shard(const std::vector<Cell>& cells, Shard shard) {
-    assert(shard.index >= 1 && shard.index <= shard.count);
+std::vector<std::size_t> shards_of_cells(const std::vector<Cell>& cells, std::size_t count) {
+    assert(count > 0);
     const std::vector<Block> blocks = make_blocks(cells);
-    std::vector<double> costs;
-    for (const Block& block : blocks)
-        costs.push_back(cost_of(block, cells));
-    const std::vector<std::size_t> dealt = deal(costs, shard.count);
-    std::vector<std::size_t> shard_of_cell(cells.size(), 0);
+    const std::vector<std::size_t> dealt = deal(blocks, cells, count);
+    std::vector<std::size_t> shards(cells.size(), 1);
     for (std::size_t block = 0; block < blocks.size(); ++block) {
         for (const std::size_t cell : blocks[block].cells)
-            shard_of_cell[cell] = dealt[block];
+            shards[cell] = dealt[block] + 1;
     }
+    return shards;
+}
+
+std::vector<Cell> cells_of_shard(const std::vector<Cell>& cells, Shard shard) {
+    assert(shard.index >= 1 && shard.index <= shard.count);
+    const std::vector<std::size_t> shards = shards_of_cells(cells, shard.count);
     std::vector<Cell> kept;
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-        if (shard_of_cell[cell] == shard.index - 1) kept.push_back(cells[cell]);
+        if (shards[cell] == shard.index) kept.push_back(cells[cell]);
     }
     return kept;
 }

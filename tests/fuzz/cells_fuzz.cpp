@@ -4,16 +4,18 @@
 #include "fuzz/fuzz_target.hpp"
 #include "store/run_folder.hpp"
 
-#include <string_view>
+#include <sstream>
+#include <string>
 
 using namespace reliefbench;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     try {
-        const std::string_view text(reinterpret_cast<const char*>(data), size);
+        std::istringstream text(std::string(reinterpret_cast<const char*>(data), size));
         for (const CellResult& cell : parse_cells(text, "cells.jsonl")) {
             const std::string written = to_json(cell).dump() + '\n';
-            const std::vector<CellResult> again = parse_cells(written, "written");
+            std::istringstream written_text(written);
+            const std::vector<CellResult> again = parse_cells(written_text, "written");
             fuzz_require(again.size() == 1 && to_json(again.front()).dump() + '\n' == written);
         }
     } catch (const Error&) {

@@ -59,6 +59,14 @@ TEST(Merge, TellsMissingShards) {
     EXPECT_THAT(merge_runs(std::vector{shard(2, 3, {"a"})}).missing, ElementsAre("shard 1/3", "shard 3/3"));
 }
 
+TEST(Merge, TellsMissingCells) {
+    const std::vector<PlannedCell> planned = {{"a", 1}, {"b", 1}, {"c", 2}, {"d", 2}, {"e", 2}, {"f", 3}};
+    EXPECT_THAT(
+        merge_runs(std::vector{shard(1, 3, {"b"}), shard(2, 3, {"d"})}, planned).missing,
+        ElementsAre("shard 3/3", "a cell of shard 1/3 (part1): 'a'", "2 cells of shard 2/3 (part2): 'c' and others"));
+    EXPECT_THAT(merge_runs(std::vector{shard(1, 1, {"f", "e", "d", "c", "b", "a"})}, planned).missing, IsEmpty());
+}
+
 TEST(Merge, RefusesWhatIsThereTwice) {
     EXPECT_THAT(refusal({shard(1, 2, {"a"}), shard(1, 2, {"b"})}), HasSubstr("both shard 1/2"));
     EXPECT_THAT(refusal({shard(1, 2, {"a"}), shard(2, 2, {"a"})}),

@@ -78,4 +78,31 @@ TEST(Shard, LoadsAreBalanced) {
     EXPECT_THAT(sizes, testing::Each(testing::AllOf(testing::Ge(360U), testing::Le(440U))));
 }
 
+TEST(Shard, CellsThatCostMoreAreBalancedToo) {
+    // One view in four has sixteen times the pixels of the others.
+    std::vector<Cell> cells = sweep(64, 40);
+    for (Cell& cell : cells) {
+        const bool large = static_cast<int>(cell.view.view.camera.view_angle) % 4 == 3;
+        cell.view.view.resolution = large ? Resolution{2048, 2048} : Resolution{512, 512};
+    }
+    for (std::size_t index = 1; index <= 4; ++index) {
+        const std::vector<Cell> kept = cells_of_shard(cells, {index, 4});
+        EXPECT_EQ(kept.size(), 16U * 40U);
+        EXPECT_EQ(std::ranges::count_if(kept, [](const Cell& cell) { return cell.view.view.resolution.width == 2048; }),
+                  4 * 40);
+    }
+}
+
+TEST(Shard, NoneGetsAllViewsOfOneAngle) {
+    std::vector<Cell> cells = sweep(64, 40);  // of four angles, say, over and over
+    for (Cell& cell : cells)
+        cell.view.view.resolution = {512, 512};
+    for (std::size_t index = 1; index <= 4; ++index) {
+        std::set<int> angles;
+        for (const Cell& cell : cells_of_shard(cells, {index, 4}))
+            angles.insert(static_cast<int>(cell.view.view.camera.view_angle) % 4);
+        EXPECT_GE(angles.size(), 3U);
+    }
+}
+
 }  // namespace
