@@ -6,6 +6,7 @@
 #include "compare/run_noise.hpp"
 #include "compare/run_side.hpp"
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -15,6 +16,16 @@
 namespace reliefbench {
 
 namespace {
+
+/// On all cores.
+template <typename Body>
+void for_each_index(std::size_t count, const Body& body) {
+    constexpr std::size_t at_a_time = 64;
+    parallel_for(count, at_a_time, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t index = begin; index < end; ++index)
+            body(index);
+    });
+}
 
 CellMedians times_of(const SideCell& base, const SideCell& changed) {
     const bool quartiles = base.has_lower_quartiles() && changed.has_lower_quartiles();
@@ -219,28 +230,28 @@ double inflation_of(const Comparison& comparison, const RunSide& base, const Run
 void estimate_times(Comparison& comparison, const RunSide& base, const RunSide& changed, const NoiseSources& noise,
                     double inflation, double false_discovery_rate) {
     const auto estimate_all = [&](double level) {
-        std::vector<RatioEstimate> estimates;
-        for (const CellComparison& cell : comparison.cells) {
-            const SideCell& before = base.cells.at(cell.cell);
-            const SideCell& after = changed.cells.at(cell.cell);
+        std::vector<RatioEstimate> estimates(comparison.cells.size());
+        for_each_index(estimates.size(), [&](std::size_t index) {
+            const SideCell& before = base.cells.at(comparison.cells[index].cell);
+            const SideCell& after = changed.cells.at(comparison.cells[index].cell);
             const CellMedians times = times_of(before, after);
-            estimates.push_back(estimate_between_runs(times.base_ms, times.new_ms, noise_for(noise, before, after),
-                                                      comparison.threshold, level, inflation));
-        }
+            estimates[index] = estimate_between_runs(times.base_ms, times.new_ms, noise_for(noise, before, after),
+                                                     comparison.threshold, level, inflation);
+        });
         return estimates;
     };
     const std::vector<Verdict> verdicts =
         decide(estimate_all(false_discovery_rate), comparison.threshold, false_discovery_rate);
     // What could have been seen depends on how many verdicts there are.
     const std::vector<RatioEstimate> estimates = estimate_all(level_of_verdicts(verdicts, false_discovery_rate));
-    for (std::size_t index = 0; index < comparison.cells.size(); ++index) {
+    for_each_index(comparison.cells.size(), [&](std::size_t index) {
         CellComparison& cell = comparison.cells[index];
         cell.time = estimates[index];
         cell.verdict = verdicts[index];
         cell.reason = describe(cell.time, cell.verdict, comparison.unit) +
                       partial_text(base.cells.at(cell.cell), base.runs.size(), "base") +
                       partial_text(changed.cells.at(cell.cell), changed.runs.size(), "new");
-    }
+    });
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ void require_one_device(std::span<const StoredRun> runs) {
 }
 
 void require_one_subject(const RunSide& side) {
-    for (const auto& [id, cell] : side.cells) {
+    for (const std::string& id : side.order) {
+        const SideCell& cell = side.cells.at(id);
         for (std::size_t index = 1; index < cell.measured.size(); ++index) {
             const std::string difference =
                 subject_difference(*cell.runs[0], *cell.measured[0], *cell.runs[index], *cell.measured[index]);

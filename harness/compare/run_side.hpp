@@ -3,10 +3,10 @@
 #include "compare/stored_run.hpp"
 
 #include <cstddef>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace reliefbench {
@@ -36,7 +36,7 @@ struct RunSide {
     std::span<const StoredRun> runs;
     /// In the order of their first appearance.
     std::vector<std::string> order;
-    std::map<std::string, SideCell> cells;
+    std::unordered_map<std::string, SideCell> cells;
 };
 
 /// Runs that differ in device, or in what one of their cells is of (subject_difference), are an Error. At least one

@@ -1,10 +1,12 @@
 #include "report/csv.hpp"
 
+#include "core/parallel.hpp"
 #include "report/flat_fields.hpp"
 
 #include <algorithm>
-#include <map>
 #include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -36,12 +38,24 @@ std::string group_of(const std::string& column) {
 class Columns {
 public:
     void add(const std::string& column) {
+        if (!known_.insert(column).second) return;
         const std::string group = group_of(column);
         auto found =
             std::find_if(groups_.begin(), groups_.end(), [&](const auto& each) { return each.first == group; });
         if (found == groups_.end()) found = groups_.insert(groups_.end(), {group, {}});
-        std::vector<std::string>& names = found->second;
-        if (std::find(names.begin(), names.end(), column) == names.end()) names.push_back(column);
+        found->second.push_back(column);
+    }
+
+    void add(const CellResult& cell) {
+        for (const auto& [column, value] : flat_fields(cell))
+            add(column);
+    }
+
+    void add(const Columns& others) {
+        for (const auto& [group, names] : others.groups_) {
+            for (const std::string& name : names)
+                add(name);
+        }
     }
 
     /// Less those that stand for a whole object which is null somewhere ("error").
@@ -57,6 +71,7 @@ public:
     }
 
 private:
+    std::unordered_set<std::string> known_;
     std::vector<std::pair<std::string, std::vector<std::string>>> groups_;
 };
 
@@ -83,34 +98,46 @@ std::string row_line(const std::vector<std::string>& texts) {
     return line + '\n';
 }
 
+/// The cell's value of every column.
+std::string cell_line(const CellResult& cell, const std::vector<std::string>& columns) {
+    std::unordered_map<std::string, std::string> texts;
+    for (const auto& [column, value] : flat_fields(cell)) {
+        texts[column] = value_text(value);
+    }
+    std::vector<std::string> row;
+    for (const std::string& column : columns) {
+        row.push_back(texts[column]);
+    }
+    return row_line(row);
+}
+
 }  // namespace
 
 std::string format_csv(const Run& run) {
+    constexpr std::size_t cells_at_a_time = 64;
+    const std::size_t count = run.cells.size();
+    std::vector<Columns> found((count + cells_at_a_time - 1) / cells_at_a_time);
+    parallel_for(count, cells_at_a_time, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t cell = begin; cell < end; ++cell)
+            found[begin / cells_at_a_time].add(run.cells[cell]);
+    });
     Columns columns;
-    for (const auto& [column, value] : flat_fields(complete_cell())) {
-        columns.add(column);
-    }
-    for (const CellResult& cell : run.cells) {
-        for (const auto& [column, value] : flat_fields(cell)) {
-            columns.add(column);
-        }
-    }
+    columns.add(complete_cell());
+    for (const Columns& part : found)
+        columns.add(part);
     const std::vector<std::string> names = columns.names();
     std::vector<std::string> titles;
     for (const std::string& name : names) {
         titles.push_back(quoted(name));
     }
+    std::vector<std::string> lines(count);
+    parallel_for(count, cells_at_a_time, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t cell = begin; cell < end; ++cell)
+            lines[cell] = cell_line(run.cells[cell], names);
+    });
     std::string csv = row_line(titles);
-    for (const CellResult& cell : run.cells) {
-        std::map<std::string, std::string> texts;
-        for (const auto& [column, value] : flat_fields(cell)) {
-            texts[column] = value_text(value);
-        }
-        std::vector<std::string> row;
-        for (const std::string& name : names) {
-            row.push_back(texts[name]);
-        }
-        csv += row_line(row);
+    for (const std::string& line : lines) {
+        csv += line;
     }
     return csv;
 }

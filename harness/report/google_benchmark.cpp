@@ -1,6 +1,8 @@
 #include "report/google_benchmark.hpp"
 
+#include "core/parallel.hpp"
 #include "core/statistics.hpp"
+#include "core/suggest.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -128,32 +130,53 @@ void add_aggregates(Json& benchmarks, const std::string& id, std::size_t family,
     }
 }
 
+/// The entries of one cell.
+Json benchmarks_of(const CellResult& cell, std::size_t family, const RoundMedians& rounds) {
+    const PassTiming& draw = cell.time.at(draw_pass);
+    const auto measured = rounds.find(cell.cell);
+    std::vector<double> times = measured != rounds.end() ? measured->second : std::vector<double>{draw.median_ms};
+    for (double& time : times) {
+        time *= ns_per_ms;
+    }
+    const std::size_t samples = std::max<std::size_t>(1, draw.n / times.size());
+    const Counters counters = counters_of(cell);
+    Json benchmarks = Json::array();
+    add_repetitions(benchmarks, cell.cell, family, times, samples * static_cast<std::size_t>(draw.repeats), counters);
+    if (times.size() > 1) add_aggregates(benchmarks, cell.cell, family, times, counters);
+    return benchmarks;
+}
+
+std::string dump_indented(const Json& json) {
+    constexpr int indent = 2;
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+/// The elements of an array, as they stand in the document.
+std::string element_lines(const Json& array) {
+    const std::string text = dump_indented(Json{{"array", array}});
+    const std::size_t begin = text.find('\n', text.find('[')) + 1;
+    return text.substr(begin, text.rfind("\n  ]") - begin);
+}
+
 }  // namespace
 
 std::string format_google_benchmark(const Run& run, const RoundMedians& rounds) {
-    Json benchmarks = Json::array();
-    std::size_t family = 0;
+    std::vector<const CellResult*> cells;
     for (const CellResult& cell : run.cells) {
-        const auto draw = cell.time.find(draw_pass);
-        if (cell.status != CellStatus::ok || draw == cell.time.end()) continue;
-        const auto measured = rounds.find(cell.cell);
-        std::vector<double> times =
-            measured != rounds.end() ? measured->second : std::vector<double>{draw->second.median_ms};
-        for (double& time : times) {
-            time *= ns_per_ms;
-        }
-        const std::size_t samples = std::max<std::size_t>(1, draw->second.n / times.size());
-        const Counters counters = counters_of(cell);
-        add_repetitions(benchmarks, cell.cell, family, times, samples * static_cast<std::size_t>(draw->second.repeats),
-                        counters);
-        if (times.size() > 1) add_aggregates(benchmarks, cell.cell, family, times, counters);
-        ++family;
+        if (cell.status == CellStatus::ok && cell.time.contains(draw_pass)) cells.push_back(&cell);
     }
+    // Text by text: as one tree, a hundred thousand cells would take gigabytes.
+    std::vector<std::string> texts(cells.size());
+    parallel_for(cells.size(), 1, [&](std::size_t family, std::size_t) {
+        texts[family] = element_lines(benchmarks_of(*cells[family], family, rounds));
+    });
     Json document;
     document["context"] = context_of(run.run);
-    document["benchmarks"] = std::move(benchmarks);
-    constexpr int indent = 2;
-    return document.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+    document["benchmarks"] = Json::array();
+    std::string text = dump_indented(document) + '\n';
+    if (texts.empty()) return text;
+    const std::size_t place = text.rfind(']');
+    return text.substr(0, place) + '\n' + join(texts, ",\n") + "\n  " + text.substr(place);
 }
 
 }  // namespace reliefbench
