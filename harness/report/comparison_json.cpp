@@ -21,13 +21,7 @@ Json quality_to_json(const QualityComparison& quality) {
     json["verdict"] = to_string(quality.verdict);
     json["changes"] = Json::array();
     for (const QualityChange& change : quality.changes) {
-        Json entry;
-        entry["field"] = change.field;
-        entry["base"] = number(change.base);
-        entry["new"] = number(change.changed);
-        entry["worse"] = change.worse;
-        entry["better"] = change.better;
-        json["changes"].push_back(std::move(entry));
+        json["changes"].push_back(quality_change_to_json(change));
     }
     return json;
 }
@@ -65,12 +59,18 @@ Json counts_to_json(const Comparison& comparison) {
 
 }  // namespace
 
-Json comparison_to_json(const Comparison& comparison) {
+Json quality_change_to_json(const QualityChange& change) {
     Json json;
-    json["cells"] = Json::array();
-    for (const CellComparison& cell : comparison.cells) {
-        json["cells"].push_back(cell_to_json(cell));
-    }
+    json["field"] = change.field;
+    json["base"] = number(change.base);
+    json["new"] = number(change.changed);
+    json["worse"] = change.worse;
+    json["better"] = change.better;
+    return json;
+}
+
+Json comparison_without_cells(const Comparison& comparison) {
+    Json json;
     json["uncompared"] = Json::array();
     for (const UncomparedCell& cell : comparison.uncompared) {
         json["uncompared"].push_back({{"cell", cell.cell}, {"reason", cell.reason}, {"failed_now", cell.failed_now}});
@@ -80,6 +80,16 @@ Json comparison_to_json(const Comparison& comparison) {
     json["threshold"] = number(comparison.threshold);
     json["unit"] = comparison.unit;
     json["environment"] = comparison.environment;
+    return json;
+}
+
+Json comparison_to_json(const Comparison& comparison) {
+    Json json;
+    json["cells"] = Json::array();
+    for (const CellComparison& cell : comparison.cells) {
+        json["cells"].push_back(cell_to_json(cell));
+    }
+    json.update(comparison_without_cells(comparison));
     return json;
 }
 

@@ -1,10 +1,12 @@
 #include "report/page.hpp"
 
 #include "core/error.hpp"
-#include "report/comparison_json.hpp"
 #include "report/page_cells.hpp"
+#include "report/page_comparison.hpp"
 #include "report/page_pictures.hpp"
 #include "report/page_samples.hpp"
+
+#include <algorithm>
 
 namespace reliefbench {
 
@@ -53,12 +55,22 @@ Json run_to_json(const PageRun& run) {
     return json;
 }
 
-Json comparison_to_page(const PageComparison& comparison) {
+std::vector<std::string> ids_of(const std::vector<PageRun>& runs) {
+    std::vector<std::string> ids;
+    for (const PageRun& run : runs) {
+        for (const CellResult& cell : run.stored.run.cells)
+            ids.push_back(cell.cell);
+    }
+    return ids;
+}
+
+Json comparison_to_page(const PageComparison& comparison, const std::vector<PageRun>& runs) {
     Json json;
     json["base"] = comparison.base;
     json["new"] = comparison.changed;
     json["failure"] = comparison.failure.empty() ? Json(nullptr) : Json(comparison.failure);
-    json["result"] = comparison.comparison ? comparison_to_json(*comparison.comparison) : Json(nullptr);
+    json["result"] =
+        comparison.comparison ? comparison_to_columns(*comparison.comparison, ids_of(runs)) : Json(nullptr);
     return json;
 }
 
@@ -73,7 +85,7 @@ Json page_data(const std::vector<PageRun>& runs, const Json& pictures, const std
         json["runs"].push_back(run_to_json(run));
     }
     json["pictures"] = pictures;
-    json["comparison"] = comparison ? comparison_to_page(*comparison) : Json(nullptr);
+    json["comparison"] = comparison ? comparison_to_page(*comparison, runs) : Json(nullptr);
     return json;
 }
 
@@ -83,13 +95,14 @@ std::string fill_page(std::string_view page, const Json& data) {
         fail("the report's page has no place for data (\"RELIEFBENCH_DATA\"): build the target report_page again");
     }
     std::string filled(page.substr(0, at));
-    for (const char character : data.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-        // Inside JSON, < stands in strings only.
-        if (character == '<') {
-            filled += "\\u003c";
-        } else {
-            filled += character;
-        }
+    const std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace);
+    filled.reserve(page.size() + text.size());
+    // Inside JSON, < stands in strings only.
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('<', begin), text.size());
+        filled.append(text, begin, end - begin);
+        if (end < text.size()) filled += "\\u003c";
+        begin = end + 1;
     }
     filled += page.substr(at + data_place.size());
     return filled;

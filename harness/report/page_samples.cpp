@@ -10,7 +10,7 @@ namespace {
 
 /// Of all passes and cells together: 60,000 groups are 3 MB of text.
 constexpr std::size_t wanted_groups = 60'000;
-constexpr std::size_t fewest_groups = 8;
+constexpr std::size_t fewest_groups = 2;
 constexpr std::size_t most_groups = 64;
 
 std::size_t groups_per_cell(const RunSamples& samples) {

@@ -97,6 +97,19 @@ export interface ComparisonResult {
   environment: Json;
 }
 
+/** The compared cells as the page's file has them: `cell` is a position in the cells of all runs, one after the other. */
+export interface VerdictColumns {
+  cell: number[];
+  verdict: Verdict[];
+  ratio: (number | null)[];
+  low: (number | null)[];
+  high: (number | null)[];
+  visible: (number | null)[];
+  reason: string[];
+  quality: string[];
+  changes: [place: number, changes: QualityChange[]][];
+}
+
 export interface PageComparison {
   base: string[];
   new: string[];
@@ -109,6 +122,36 @@ export interface PageData {
   runs: RunData[];
   pictures: PackedPicture[];
   comparison: PageComparison | null;
+}
+
+/** As the file has it. */
+export interface PackedPageData extends Omit<PageData, "comparison"> {
+  comparison:
+    | (Omit<PageComparison, "result"> & {
+        result: (Omit<ComparisonResult, "cells"> & { cells: VerdictColumns }) | null;
+      })
+    | null;
+}
+
+export function unpackVerdicts(columns: VerdictColumns, ids: readonly string[]): CellVerdict[] {
+  const changes = new Map(columns.changes);
+  return columns.cell.map((cell, place) => ({
+    cell: ids[cell]!,
+    verdict: columns.verdict[place]!,
+    ratio: columns.ratio[place]!,
+    ci95: [columns.low[place]!, columns.high[place]!],
+    visible: columns.visible[place]!,
+    reason: columns.reason[place]!,
+    quality: { verdict: columns.quality[place]!, changes: changes.get(place) ?? [] },
+  }));
+}
+
+export function unpackPage(packed: PackedPageData): PageData {
+  const { comparison } = packed;
+  if (comparison === null || comparison.result === null) return { ...packed, comparison: comparison as null };
+  const ids = packed.runs.flatMap((run) => run.cells.id);
+  const result = { ...comparison.result, cells: unpackVerdicts(comparison.result.cells, ids) };
+  return { ...packed, comparison: { ...comparison, result } };
 }
 
 export function valueText(value: Json): string {

@@ -1,6 +1,8 @@
 #include "report/page.hpp"
 
+#include "comparison_sample.hpp"
 #include "report/page_cells.hpp"
+#include "report/page_comparison.hpp"
 #include "report/page_pictures.hpp"
 #include "report/page_samples.hpp"
 #include "run_sample.hpp"
@@ -106,7 +108,7 @@ TEST(PageSamples, RunsOfManyCellsKeepFewGroupsOfEach) {
         samples["draw"][cells[cell].cell] = rounds_of(40);
     }
     const Json json = samples_to_columns(samples, cells);
-    EXPECT_EQ(json.at(0).at("groups").at(0), 8);
+    EXPECT_EQ(json.at(0).at("groups").at(0), 6);
     EXPECT_LT(json.dump().size(), 4'000'000U);
 }
 
@@ -244,6 +246,26 @@ TEST(Page, HoldsRunsWithAllThatIsKnownOfThem) {
                                                                                     {"picture", 3}}));
     EXPECT_EQ(json.at("comparison").at("failure"), "another device");
     EXPECT_TRUE(json.at("comparison").at("result").is_null());
+}
+
+TEST(Page, ComparedCellsAreColumnsOfWhatIsShown) {
+    const Comparison comparison = sample_comparison();
+    std::vector<std::string> ids = {"of another run"};
+    for (const CellComparison& cell : comparison.cells)
+        ids.push_back(cell.cell);
+    const Json json = comparison_to_columns(comparison, ids);
+    const Json& cells = json.at("cells");
+    EXPECT_EQ(cells.at("cell"), Json({1, 2, 3, 4, 5}));
+    EXPECT_EQ(cells.at("verdict"), Json({"same", "slower", "undecided", "faster", "slower"}));
+    EXPECT_EQ(cells.at("ratio"), Json({1.0004, 1.072, 1.03, 0.8, 2.5}));
+    EXPECT_EQ(cells.at("low").at(1), 1.051);
+    EXPECT_EQ(cells.at("high").at(1), 1.094);
+    EXPECT_EQ(cells.at("reason").at(1), comparison.cells[1].reason);
+    EXPECT_EQ(cells.at("quality").at(0), "worse");
+    ASSERT_EQ(cells.at("changes").size(), 1U) << "only changes for better or worse";
+    EXPECT_EQ(cells.at("changes").at(0).at(0), 0);
+    EXPECT_EQ(cells.at("changes").at(0).at(1).size(), 2U);
+    EXPECT_EQ(json.at("uncompared").size(), 3U);
 }
 
 TEST(Page, NoStringEndsTheElementThatHoldsTheData) {
