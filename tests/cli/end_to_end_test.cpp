@@ -182,6 +182,18 @@ TEST_F(EndToEnd, ACellOutOfOneTechniquesRangeIsSkippedWithTheReason) {
     EXPECT_EQ(outcome.code, 2) << outcome.out;
 }
 
+TEST_F(EndToEnd, ACellOfUnconvergedPixelsFailsAndKeepsItsFigures) {
+    const Outcome outcome = reliefbench({"run", write_configuration("tiny.json", tiny_configuration()), "-a",
+                                         "technique=qdm", "-a", "max_steps=1", "-o", path("run")});
+    EXPECT_EQ(outcome.code, 4) << outcome.err;
+    const Json cell = read_lines(path("run/cells.jsonl")).at(0);
+    EXPECT_EQ(cell.at("status"), "failed");
+    EXPECT_THAT(cell.at("reason").get<std::string>(), HasSubstr("left their loop at the iteration cap"));
+    EXPECT_GT(cell.at("work").at("unconverged"), 0.5);
+    EXPECT_FALSE(cell.at("error").at("uv_texels").is_null());
+    EXPECT_FALSE(cell.at("time").contains("draw"));
+}
+
 TEST_F(EndToEnd, ImagesAreKeptWhenAskedFor) {
     Json json = tiny_configuration();
     json["images"] = true;
