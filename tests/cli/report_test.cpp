@@ -49,7 +49,7 @@ TEST_F(Report, TwoRunsAreCompared) {
     const Json comparison = data_of("report.html").at("comparison");
     EXPECT_EQ(comparison.at("base"), Json({"before"}));
     EXPECT_EQ(comparison.at("new"), Json({"after"}));
-    EXPECT_EQ(comparison.at("result").at("cells").size(), 2U);
+    EXPECT_EQ(comparison.at("result").at("cells").at("cell").size(), 2U);
 }
 
 TEST_F(Report, MoreRunsAreComparedWhereTheSidesAreTold) {
