@@ -2,7 +2,6 @@
 
 #include "core/parallel.hpp"
 #include "core/statistics.hpp"
-#include "core/suggest.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -173,10 +172,16 @@ std::string format_google_benchmark(const Run& run, const RoundMedians& rounds) 
     Json document;
     document["context"] = context_of(run.run);
     document["benchmarks"] = Json::array();
-    std::string text = dump_indented(document) + '\n';
-    if (texts.empty()) return text;
+    std::string text = dump_indented(document);
     const std::size_t place = text.rfind(']');
-    return text.substr(0, place) + '\n' + join(texts, ",\n") + "\n  " + text.substr(place);
+    const std::string end = text.substr(place) + '\n';
+    text.resize(place);
+    for (std::string& entries : texts) {
+        text += (&entries == &texts.front() ? "\n" : ",\n") + entries;
+        entries = std::string();
+    }
+    text += (texts.empty() ? "" : "\n  ") + end;
+    return text;
 }
 
 }  // namespace reliefbench
