@@ -103,6 +103,14 @@ Json tiny_configuration() {
     })");
 }
 
+Json long_configuration() {
+    Json json = tiny_configuration();
+    json["axes"]["sample_count"] = {4, 8, 16, 32};
+    json["axes"]["view_angle"] = {0, 30, 60};
+    json["sampling"]["rounds"] = 40;
+    return json;
+}
+
 std::string read_file(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     std::stringstream text;

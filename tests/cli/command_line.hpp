@@ -51,6 +51,8 @@ std::vector<char*> argument_pointers(std::vector<std::string>& words);
 
 /// A small matrix with one shipped technique.
 Json tiny_configuration();
+/// The same with twelve cells in which much is left to do when the first sample is there.
+Json long_configuration();
 
 std::string read_file(const std::filesystem::path& path);
 /// Each line parsed.

@@ -18,14 +18,6 @@ using testing::HasSubstr;
 
 class Storage : public CommandLine {
 protected:
-    std::string long_configuration() const {
-        Json json = tiny_configuration();
-        json["axes"]["sample_count"] = {4, 8, 16, 32};
-        json["axes"]["view_angle"] = {0, 30, 60};
-        json["sampling"]["rounds"] = 40;
-        return write_configuration("long.json", json);
-    }
-
     /// Whole lines only, each JSON: read_lines fails on others.
     void expect_whole_lines(const std::string& file) const {
         const std::string text = read_file(path(file));
@@ -35,7 +27,7 @@ protected:
 };
 
 TEST_F(Storage, AFileThatMayNotGrowEndsTheRunAndItGoesOnWhenItMay) {
-    const std::string configuration = long_configuration();
+    const std::string configuration = write_configuration("long.json", long_configuration());
     const Outcome outcome = reliefbench({"run", configuration, "-o", path("run")}, "ulimit -f 64;");
     EXPECT_EQ(outcome.code, 2) << outcome.err;
     EXPECT_THAT(outcome.err, AllOf(HasSubstr("cannot write"), HasSubstr("samples.jsonl"), HasSubstr("make room")));
@@ -63,9 +55,10 @@ protected:
 };
 
 TEST_F(SmallDisk, ThatIsFullEndsTheRunWithWholeLines) {
-    const std::string command = in_namespace("size=64k") + RELIEFBENCH_BINARY + " run " + long_configuration() +
-                                " -o " + path("disk/run") + " >/dev/null 2>" + path("err") + "; code=$?; cp -r " +
-                                path("disk/run") + " " + path("copy") + "; exit $code'";
+    const std::string command = in_namespace("size=64k") + RELIEFBENCH_BINARY + " run " +
+                                write_configuration("long.json", long_configuration()) + " -o " + path("disk/run") +
+                                " >/dev/null 2>" + path("err") + "; code=$?; cp -r " + path("disk/run") + " " +
+                                path("copy") + "; exit $code'";
     const int status = std::system(command.c_str());
     EXPECT_EQ(WEXITSTATUS(status), 2) << read_file(path("err"));
     EXPECT_THAT(read_file(path("err")), AllOf(HasSubstr("No space left on device"), HasSubstr("make room")));
@@ -75,15 +68,16 @@ TEST_F(SmallDisk, ThatIsFullEndsTheRunWithWholeLines) {
 }
 
 TEST_F(SmallDisk, ThatIsReadOnlyIsToldBeforeAnythingIsMeasured) {
-    const std::string command = in_namespace("size=64k,ro") + RELIEFBENCH_BINARY + " run " + long_configuration() +
-                                " -o " + path("disk/run") + " >/dev/null 2>" + path("err") + "'";
+    const std::string command = in_namespace("size=64k,ro") + RELIEFBENCH_BINARY + " run " +
+                                write_configuration("long.json", long_configuration()) + " -o " + path("disk/run") +
+                                " >/dev/null 2>" + path("err") + "'";
     const int status = std::system(command.c_str());
     EXPECT_EQ(WEXITSTATUS(status), 2) << read_file(path("err"));
     EXPECT_THAT(read_file(path("err")), AllOf(HasSubstr("Read-only file system"), HasSubstr("choose another folder")));
 }
 
 TEST_F(Storage, AFolderThatIsRemovedMeanwhileEndsTheRun) {
-    const pid_t process = start({"run", long_configuration(), "-o", path("run")});
+    const pid_t process = start({"run", write_configuration("long.json", long_configuration()), "-o", path("run")});
     await_samples("run");
     std::filesystem::remove_all(path("run"));
     int status = 0;

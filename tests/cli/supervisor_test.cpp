@@ -31,15 +31,6 @@ protected:
         return write_configuration("three.json", json);
     }
 
-    /// Much is left to do when the first sample is there.
-    std::string long_configuration() const {
-        Json json = tiny_configuration();
-        json["axes"]["sample_count"] = {4, 8, 16, 32};
-        json["axes"]["view_angle"] = {0, 30, 60};
-        json["sampling"]["rounds"] = 40;
-        return write_configuration("long.json", json);
-    }
-
     std::map<int, Json> cells_by_steps(const std::string& run) const {
         std::map<int, Json> cells;
         for (const Json& cell : read_lines(path(run + "/cells.jsonl")))
@@ -119,7 +110,7 @@ Trace trace(ReliefRay ray) {
 }
 
 TEST_F(Supervisor, AWorkerThatIsKilledIsReplacedAndNothingIsLost) {
-    const pid_t process = start({"run", long_configuration(), "-o", path("run")});
+    const pid_t process = start({"run", write_configuration("long.json", long_configuration()), "-o", path("run")});
     await_samples("run");
     kill(child_of(process), SIGKILL);
     EXPECT_EQ(exit_code_of(process), 0) << read_file(path("err"));
@@ -131,7 +122,8 @@ TEST_F(Supervisor, AWorkerThatIsKilledIsReplacedAndNothingIsLost) {
 }
 
 TEST_F(Supervisor, WhatIsStoppedAndGoesOnIsNotTakenForHanging) {
-    const pid_t process = start({"run", long_configuration(), "-o", path("run"), "--pass-timeout", "1s"});
+    const pid_t process = start(
+        {"run", write_configuration("long.json", long_configuration()), "-o", path("run"), "--pass-timeout", "1s"});
     await_samples("run");
     const pid_t worker = child_of(process);
     kill(process, SIGSTOP);
@@ -144,7 +136,7 @@ TEST_F(Supervisor, WhatIsStoppedAndGoesOnIsNotTakenForHanging) {
 }
 
 TEST_F(Supervisor, AWorkerDoesNotOutliveItsSupervisor) {
-    const pid_t process = start({"run", long_configuration(), "-o", path("run")});
+    const pid_t process = start({"run", write_configuration("long.json", long_configuration()), "-o", path("run")});
     await_samples("run");
     const pid_t worker = child_of(process);
     ASSERT_GT(worker, 0);
