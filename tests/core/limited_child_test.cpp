@@ -46,7 +46,7 @@ TEST(LimitedChild, ACrashIsAnErrorWithTheLastNote) {
 
 TEST(LimitedChild, WorkWithoutEndIsEnded) {
     const Work endless = [](const ChildNote&) -> std::string {
-        for (volatile int turn = 0;;)
+        for (volatile unsigned turn = 0;;)
             turn = turn + 1;
     };
     EXPECT_EQ(error_of(endless, {.cpu_s = 1}), "the work failed: it took more than 1 s of CPU time");
