@@ -144,7 +144,10 @@ VKAPI_ATTR VkResult VKAPI_CALL create_graphics_pipelines(VkDevice device, VkPipe
                                                          const VkAllocationCallbacks* allocator,
                                                          VkPipeline* pipelines) {
     for (std::uint32_t i = 0; i < count; ++i) {
-        if (has_constant(infos[i], "RELIEFBENCH_CRASH_AT")) std::raise(SIGSEGV);
+        if (has_constant(infos[i], "RELIEFBENCH_CRASH_AT")) {
+            std::signal(SIGSEGV, SIG_DFL);  // AddressSanitizer has a handler of its own
+            std::raise(SIGSEGV);
+        }
         if (has_constant(infos[i], "RELIEFBENCH_LOSE_DEVICE_AT")) faults().device_is_lost = true;
     }
     const VkResult result = begin_call("vkCreateGraphicsPipelines");
