@@ -107,12 +107,14 @@ std::string quoted_word(const std::filesystem::path& path) {
     return quoted + "'";
 }
 
-/// The finished cells as the folder has them, in the configuration's order.
+/// The finished cells as the folder has them, in the configuration's order; not those that a run which was gone on with
+/// by force has of another one.
 Run read_back(const std::filesystem::path& folder, const std::vector<Cell>& cells) {
     std::unordered_map<std::string_view, std::size_t> order;
     for (const Cell& cell : cells)
         order.emplace(cell.id, order.size());
     Run run = read_run(folder);
+    std::erase_if(run.cells, [&order](const CellResult& cell) { return !order.contains(cell.cell); });
     std::sort(run.cells.begin(), run.cells.end(),
               [&order](const CellResult& a, const CellResult& b) { return order.at(a.cell) < order.at(b.cell); });
     return run;
@@ -131,12 +133,11 @@ void print_outcome(const RunOutcome& outcome, const Run& run, const RunJob& job)
     }
 }
 
-void say_how_to_go_on(const RunOutcome& outcome, const RunJob& job) {
+void say_how_to_go_on(std::size_t finished, const RunJob& job) {
     fmt::print(stderr,
                "reliefbench: interrupted with {} of {} cells finished; every sample is kept. Go on with\n"
                "    reliefbench run {} -o {} --resume\n",
-               outcome.tally.cells(), job.sources.cells.size(), quoted_word(job.folder / "run.json"),
-               quoted_word(job.folder));
+               finished, job.sources.cells.size(), quoted_word(job.folder / "run.json"), quoted_word(job.folder));
 }
 
 /// What stands in run.json before anything is measured.
@@ -198,9 +199,12 @@ ExitCode work_on_run(const RunJob& job, WorkerStatus& status) {
         return ExitCode::done;
     }
     const Run run = read_back(writer.folder(), job.sources.cells);
+    outcome.tally = {};
+    for (const CellResult& cell : run.cells)
+        outcome.tally.add(cell);
     print_outcome(outcome, run, job);
     if (outcome.ended_early) {
-        say_how_to_go_on(outcome, job);
+        say_how_to_go_on(run.cells.size(), job);
         status.end(WorkerStatus::Ending::interrupted);
         return ExitCode::done;
     }

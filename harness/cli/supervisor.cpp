@@ -3,6 +3,7 @@
 #include "cli/interrupt.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/process.hpp"
 #include "store/crashes.hpp"
 
 #include <fcntl.h>
@@ -42,15 +43,6 @@ struct Death {
     std::string reason;
     int signal = 0;
 };
-
-/// For exec: pointers to the words, and a null.
-std::vector<char*> pointers_to(std::vector<std::string>& words) {
-    std::vector<char*> pointers;
-    for (std::string& word : words)
-        pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    return pointers;
-}
 
 std::vector<std::string> environment_with(const std::string& entry) {
     std::vector<std::string> entries;
@@ -101,13 +93,7 @@ public:
 
     void kill() const { ::kill(process_, SIGKILL); }
 
-    int status() const {
-        int status = 0;
-        while (waitpid(process_, &status, 0) < 0) {
-            if (errno != EINTR) fail("cannot wait for the worker process: {}", std::strerror(errno));
-        }
-        return status;
-    }
+    int status() const { return wait_for_end(process_); }
 
 private:
     pid_t process_;

@@ -16,4 +16,7 @@ std::string read_text_file(const std::filesystem::path& path, std::uint64_t most
 /// Replaces the file at once (writes beside it, then renames), so that no reader ever sees half of it.
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 
+/// False, with errno set, when not all of it could be written.
+bool write_all(int descriptor, std::string_view text);
+
 }  // namespace reliefbench

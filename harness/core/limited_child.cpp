@@ -1,7 +1,9 @@
 #include "core/limited_child.hpp"
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/memory.hpp"
+#include "core/process.hpp"
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -54,12 +56,7 @@ void send(int descriptor, Kind kind, std::string_view text) {
     const std::uint64_t length = text.size();
     message.append(reinterpret_cast<const char*>(&length), sizeof length);
     message.append(text);
-    for (std::string_view left = message; !left.empty();) {
-        const ssize_t written = write(descriptor, left.data(), left.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) _exit(1);
-        left.remove_prefix(static_cast<std::size_t>(written));
-    }
+    if (!write_all(descriptor, message)) _exit(1);
 }
 
 /// Everything until the child closes its end, or until it is more than `most`.
@@ -166,11 +163,7 @@ std::string run_in_child(const std::string& failure, const std::function<std::st
     const std::string received = receive(pipe.reader(), limits.result_bytes + room_for_notes);
     // A child that still writes is stopped by that: its pipe has no reader.
     pipe.close_end(0);
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0) {
-        if (errno != EINTR) fail("cannot wait for a child process: {}", std::strerror(errno));
-    }
-    return result_of(failure, received, status, limits);
+    return result_of(failure, received, wait_for_end(child), limits);
 }
 
 }  // namespace reliefbench

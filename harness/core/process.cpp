@@ -69,11 +69,7 @@ std::vector<char*> environment_without(const std::vector<std::string>& unset) {
     return kept;
 }
 
-int wait_for(pid_t process) {
-    int status = 0;
-    while (waitpid(process, &status, 0) < 0) {
-        if (errno != EINTR) fail("cannot wait for a child process: {}", std::strerror(errno));
-    }
+int shell_exit_code(int status) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : killed_by_signal + WTERMSIG(status);
 }
 
@@ -88,18 +84,30 @@ FinishedProcess run_process(const std::vector<std::string>& arguments, const std
     posix_spawn_file_actions_adddup2(actions.get(), errors.descriptor(), STDERR_FILENO);
 
     std::vector<std::string> words = arguments;
-    std::vector<char*> argument_pointers;
-    for (std::string& word : words) {
-        argument_pointers.push_back(word.data());
-    }
-    argument_pointers.push_back(nullptr);
+    const std::vector<char*> words_to_pass = pointers_to(words);
     const std::vector<char*> environment = environment_without(unset);
     pid_t process = 0;
-    const int problem = posix_spawnp(&process, argument_pointers.front(), actions.get(), nullptr,
-                                     argument_pointers.data(), environment.data());
+    const int problem =
+        posix_spawnp(&process, words_to_pass.front(), actions.get(), nullptr, words_to_pass.data(), environment.data());
     if (problem != 0) fail("cannot run {}: {}; is it installed?", arguments.front(), std::strerror(problem));
-    const int exit_code = wait_for(process);
+    const int exit_code = shell_exit_code(wait_for_end(process));
     return {exit_code, output.text(), errors.text()};
+}
+
+int wait_for_end(pid_t child) {
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0) {
+        if (errno != EINTR) fail("cannot wait for a child process: {}", std::strerror(errno));
+    }
+    return status;
+}
+
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+    std::vector<char*> pointers;
+    for (std::string& word : words)
+        pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    return pointers;
 }
 
 }  // namespace reliefbench

@@ -100,8 +100,7 @@ PreparedOrSkipped prepare_cell(const gpu::Device& device, const Technique& techn
         result.status = CellStatus::failed;
         result.reason = fmt::format(
             "{:.0f} % of its pixels left their loop at the iteration cap, unconverged, so that its time would say "
-            "nothing; "
-            "raise its number of steps",
+            "nothing; raise its number of steps",
             100 * result.work->unconverged);
     }
     result.pipeline = renderer.pipeline_statistics();

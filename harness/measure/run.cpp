@@ -65,7 +65,8 @@ public:
           recent_state_(source.device_state(), clock),
           rule_(make_stopping_rule(configuration.sampling)),
           estimate_(cells_to_measure(cells, options.earlier), least_rounds(configuration.sampling)),
-          tally_(options.earlier.tally) {}
+          cells_done_(static_cast<std::size_t>(
+              std::ranges::count_if(cells, [this](const Cell& cell) { return is_finished(cell); }))) {}
 
     RunOutcome run() {
         for (const Cell& cell : cells_) {
@@ -80,7 +81,7 @@ public:
         tell_cell({});
         split_.total_s = clock_.seconds() - start_s_;
         split_.truth_s = source_.truth_seconds();
-        return {tally_, tally_.cells() < cells_.size(), device_lost_, split_};
+        return {tally_, cells_done_ < cells_.size(), device_lost_, split_};
     }
 
 private:
@@ -298,6 +299,7 @@ private:
         result.forced_resume = options_.earlier.forced;
         writer_.append_cell(result);
         tally_.add(result);
+        ++cells_done_;
         report(result.cell);
     }
 
@@ -306,7 +308,7 @@ private:
             return;
         }
         Progress progress;
-        progress.cells_done = tally_.cells();
+        progress.cells_done = cells_done_;
         progress.cells_total = cells_.size();
         progress.current = current;
         progress.elapsed_s = clock_.seconds() - start_s_;
@@ -325,6 +327,8 @@ private:
     RecentState recent_state_;
     std::unique_ptr<StoppingRule> rule_;
     TimeEstimate estimate_;
+    /// Earlier ones, too.
+    std::size_t cells_done_;
     RunTally tally_;
     bool device_lost_ = false;
     TimeSplit split_;

@@ -48,7 +48,7 @@ struct MeasureOptions {
 };
 
 struct RunOutcome {
-    /// Of the finished cells; they themselves are in the run's folder.
+    /// Of the cells that this execution finished; they themselves are in the run's folder.
     RunTally tally;
     /// Not all cells are finished: it was told to end, or the device was lost.
     bool ended_early = false;

@@ -1,6 +1,7 @@
 #include "store/line_file.hpp"
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -20,17 +21,6 @@ namespace reliefbench {
 namespace {
 
 constexpr mode_t read_and_write_for_all = 0666;  // less the process's umask
-
-/// False, with errno set, when not all of it could be written.
-bool write_all(int descriptor, std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t written = ::write(descriptor, text.data(), text.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return false;
-        text.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return true;
-}
 
 /// False when another process holds the file, and goes on to.
 bool lock(int descriptor) {

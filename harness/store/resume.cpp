@@ -44,10 +44,8 @@ std::string places(const Json& recorded, const Json& now) {
 
 EarlierWork read_earlier_work(const std::filesystem::path& folder, const std::string& visited_pass) {
     EarlierWork earlier;
-    for (const CellResult& cell : read_run(folder).cells) {
-        earlier.finished.insert(cell.cell);
-        earlier.tally.add(cell);
-    }
+    for (CellResult& cell : read_run(folder).cells)
+        earlier.finished.insert(std::move(cell.cell));
     read_samples(folder, [&](const RawSamples& samples) {
         if (samples.pass != visited_pass || earlier.finished.contains(samples.cell)) return;
         earlier.visits[samples.cell].push_back(samples);

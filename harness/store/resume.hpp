@@ -2,7 +2,6 @@
 
 #include "core/json.hpp"
 #include "store/run_folder.hpp"
-#include "store/run_tally.hpp"
 
 #include <filesystem>
 #include <map>
@@ -16,12 +15,10 @@ namespace reliefbench {
 struct EarlierWork {
     /// Cells, by id.
     std::unordered_set<std::string> finished;
-    /// How those ended.
-    RunTally tally;
     /// Visits that count of cells that are not finished, in the order of their rounds; of the passes of a visit, not of
     /// the preparation's.
     std::map<std::string, std::vector<RawSamples>> visits;
-    /// What ended the workers that were on a cell, by cells that are not finished.
+    /// What ended the workers that were on a cell, by cell.
     std::map<std::string, std::vector<std::string>> crashes;
     /// The environment is not the one that the run began in, and was told to go on all the same: cells are marked.
     bool forced = false;

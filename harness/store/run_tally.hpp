@@ -7,7 +7,7 @@
 
 namespace reliefbench {
 
-/// How the cells of a run ended: what a run remembers of them, so that its memory does not grow with their number.
+/// How cells ended: what a run remembers of them, so that its memory does not grow with their number.
 struct RunTally {
     std::size_t ok = 0;
     std::size_t skipped = 0;
@@ -18,7 +18,6 @@ struct RunTally {
     std::size_t throttled_cells = 0;
 
     void add(const CellResult& cell);
-    std::size_t cells() const { return ok + skipped + failed; }
 };
 
 }  // namespace reliefbench

@@ -1,5 +1,7 @@
 #include "command_line.hpp"
 
+#include "core/process.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -45,7 +47,7 @@ pid_t CommandLine::start(std::vector<std::string> arguments) const {
         constexpr int mode = 0600;
         dup2(open(path("out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, mode), STDOUT_FILENO);
         dup2(open(path("err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, mode), STDERR_FILENO);
-        execv(RELIEFBENCH_BINARY, argument_pointers(arguments).data());
+        execv(RELIEFBENCH_BINARY, pointers_to(arguments).data());
         _exit(127);
     }
     return process;
@@ -55,14 +57,6 @@ void CommandLine::await_samples(const std::string& run) const {
     for (int tries = 0; tries < 600 && read_file(path(run + "/samples.jsonl")).empty(); ++tries)
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
     ASSERT_FALSE(read_file(path(run + "/samples.jsonl")).empty());
-}
-
-std::vector<char*> argument_pointers(std::vector<std::string>& words) {
-    std::vector<char*> pointers;
-    for (std::string& word : words)
-        pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    return pointers;
 }
 
 void CommandLine::expect_refused(std::vector<std::string> arguments, const std::vector<std::string>& words) const {

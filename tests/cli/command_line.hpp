@@ -46,9 +46,6 @@ private:
     const TemporaryFolder folder_;
 };
 
-/// For exec: pointers to the words, and a null.
-std::vector<char*> argument_pointers(std::vector<std::string>& words);
-
 /// A small matrix with one shipped technique.
 Json tiny_configuration();
 /// The same with twelve cells in which much is left to do when the first sample is there.

@@ -148,6 +148,18 @@ TEST_F(Resume, AnotherConfigurationIsRefusedUnlessForced) {
     EXPECT_THAT(record.at("resumed").at(0).at("differences").dump(), HasSubstr("/seed"));
 }
 
+TEST_F(Resume, ByForceWithOtherCellsLeavesTheEarlierOnesAlone) {
+    Json json = tiny_configuration();
+    ASSERT_EQ(reliefbench({"run", write_configuration("first.json", json), "-o", path("run")}).code, 0);
+    json["axes"]["view_angle"] = {30, 60};
+    const Outcome forced = reliefbench(
+        {"run", write_configuration("second.json", json), "-o", path("run"), "--resume=force", "--format", "json"});
+    EXPECT_EQ(forced.code, 0) << forced.err;
+    EXPECT_EQ(Json::parse(forced.out).size(), 2U);
+    EXPECT_EQ(read_lines(path("run/cells.jsonl")).size(), 3U);
+    EXPECT_EQ(Json::parse(read_file(path("run/summary.json"))).at("cells").at("ok"), 2);
+}
+
 TEST_F(Resume, NeedsAFolderAndAKnownWord) {
     const std::string config = write_configuration("tiny.json", tiny_configuration());
     EXPECT_THAT(reliefbench({"run", config, "--resume"}).err, HasSubstr("--resume needs -o"));

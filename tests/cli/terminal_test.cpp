@@ -2,6 +2,8 @@
 
 #include "command_line.hpp"
 
+#include "core/process.hpp"
+
 #include <gmock/gmock.h>
 #include <pty.h>
 #include <sys/wait.h>
@@ -45,7 +47,7 @@ protected:
             } else {
                 unsetenv("NO_COLOR");
             }
-            execv(RELIEFBENCH_BINARY, argument_pointers(words).data());
+            execv(RELIEFBENCH_BINARY, pointers_to(words).data());
             _exit(127);
         }
         std::string text;
