@@ -1,0 +1,140 @@
+// Runs, a noise record, an export and techniques that version 0.1.0 made or read (tests/fixtures/version_0_1_0):
+// whatever comes later reads them.
+#include "command_line.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <set>
+
+namespace reliefbench {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class Version010 : public CommandLine {
+protected:
+    void SetUp() override { setenv("RELIEFBENCH_STATE_DIR", path("state").c_str(), 1); }
+
+    static std::string fixture(const std::string& name) {
+        return std::string(RELIEFBENCH_SOURCE_DIR) + "/tests/fixtures/version_0_1_0/" + name;
+    }
+
+    /// A run's evidence counts once: the same again is a copy.
+    std::string copy(const std::string& run, const std::string& name) const {
+        std::filesystem::copy(fixture(run), path(name), std::filesystem::copy_options::recursive);
+        return path(name);
+    }
+
+    Outcome succeed(const std::vector<std::string>& arguments) const {
+        Outcome outcome = reliefbench(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome;
+    }
+
+    void expect_file(const std::string& name, std::size_t least_bytes) const {
+        ASSERT_TRUE(std::filesystem::exists(path(name)));
+        EXPECT_GT(std::filesystem::file_size(path(name)), least_bytes);
+    }
+
+    /// By benchmark name, the values of one member of an export.
+    static std::map<std::string, std::vector<Json>> benchmarks(const std::string& file, const std::string& member) {
+        std::map<std::string, std::vector<Json>> values;
+        const Json json = Json::parse(read_file(file));
+        for (const Json& each : json.at("benchmarks")) {
+            values[each.at("name").get<std::string>()].push_back(each.at(member));
+        }
+        return values;
+    }
+};
+
+TEST_F(Version010, ARunIsReported) {
+    for (const std::string run : {"all", "scene"}) {
+        succeed({"report", fixture(run), "-o", path(run + ".html")});
+        expect_file(run + ".html", 100000);
+    }
+}
+
+TEST_F(Version010, ARunAgainstItselfIsNoRegression) {
+    for (const std::string run : {"all", "scene"}) {
+        const Outcome outcome = reliefbench({"compare", fixture(run), "--", copy(run, run)});
+        EXPECT_THAT(outcome.code, testing::AnyOf(0, 3)) << outcome.err;
+        EXPECT_THAT(outcome.out, AllOf(HasSubstr("cells compared"), Not(HasSubstr("worse quality"))));
+    }
+}
+
+TEST_F(Version010, AMachinesRecordedNoiseIsRead) {
+    std::filesystem::create_directory(path("state"));
+    const std::string record = "noise-55368637d2941f2456ffc7c4c84599ea.json";
+    std::filesystem::copy(fixture(record), path("state/" + record));
+    const Outcome outcome = reliefbench({"compare", fixture("all"), "--", copy("all", "again")});
+    EXPECT_THAT(outcome.out, HasSubstr("2026-11-30T14:00:31Z")) << outcome.err;
+}
+
+TEST_F(Version010, ShardsAreMerged) {
+    succeed({"merge", path("whole"), fixture("strangers_part1"), fixture("strangers_part2")});
+    EXPECT_EQ(read_lines(path("whole/cells.jsonl")).size(), 12U);
+}
+
+TEST_F(Version010, ARunIsExported) {
+    for (const std::string format : {"csv", "markdown", "google_benchmark", "github_action"}) {
+        succeed({"export", fixture("scene"), "--format", format, "-o", path(format)});
+        expect_file(format, 500);
+    }
+    for (const char* member : {"real_time", "taps", "uv_error_p99_texels"}) {
+        EXPECT_EQ(benchmarks(path("google_benchmark"), member),
+                  benchmarks(fixture("scene_google_benchmark.json"), member))
+            << member;
+    }
+}
+
+TEST_F(Version010, ARunIsPlotted) {
+    succeed({"export", fixture("all"), "--format", "csv", "-o", path("all.csv")});
+    const std::string command = std::string("/usr/bin/python3 ") + RELIEFBENCH_SOURCE_DIR + "/scripts/plot.py pareto " +
+                                path("all.csv") + " -o " + path("pareto.png");
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    expect_file("pareto.png", 10000);
+}
+
+TEST_F(Version010, ARunStandsInAHistory) {
+    const Outcome outcome = reliefbench({"history", fixture("all"), copy("all", "second"), copy("all", "third")});
+    EXPECT_THAT(outcome.code, testing::AnyOf(0, 3)) << outcome.err;
+}
+
+TEST_F(Version010, ARunIsRepeatedFromItsRecord) {
+    succeed({"run", fixture("all/run.json"), "--filter", "technique=pom,qdm", "-o", path("again")});
+    const auto ids = [](const std::string& file) {
+        std::set<std::string> found;
+        for (const Json& line : read_lines(file)) {
+            const auto technique = line.at("technique").get<std::string>();
+            if (technique == "pom" || technique == "qdm") found.insert(line.at("cell").get<std::string>());
+        }
+        return found;
+    };
+    EXPECT_EQ(ids(path("again/cells.jsonl")), ids(fixture("all/cells.jsonl")));
+}
+
+/// One of each kind, written by the page that described the contract then.
+TEST_F(Version010, TechniquesOfStrangersGoOnWorking) {
+    succeed({"run", fixture("strangers_part1/run.json"), "--techniques", fixture("techniques"), "-o", path("again")});
+    std::map<std::string, Json> now;
+    for (const Json& line : read_lines(path("again/cells.jsonl"))) {
+        now[line.at("cell").get<std::string>()] = line;
+    }
+    for (const Json& then : read_lines(fixture("strangers_part1/cells.jsonl"))) {
+        const auto found = now.find(then.at("cell").get<std::string>());
+        ASSERT_NE(found, now.end()) << then.at("cell");
+        EXPECT_EQ(found->second.at("status"), then.at("status"));
+        EXPECT_EQ(found->second.at("work").at("taps_mean"), then.at("work").at("taps_mean")) << then.at("cell");
+        EXPECT_NEAR(found->second.at("error").at("uv_texels").at("p95").get<double>(),
+                    then.at("error").at("uv_texels").at("p95").get<double>(), 1e-6)
+            << then.at("cell");
+    }
+}
+
+}  // namespace
+}  // namespace reliefbench
