@@ -1,13 +1,18 @@
 #include "cli/command.hpp"
+#include "cli/results.hpp"
 #include "cli/shared_options.hpp"
+#include "core/error.hpp"
 #include "core/suggest.hpp"
+#include "report/text_layout.hpp"
 #include "scene/image_file.hpp"
 #include "scene/procedural.hpp"
+#include "store/figures.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace reliefbench {
@@ -70,6 +75,47 @@ ExitCode list_height_maps() {
     return ExitCode::done;
 }
 
+std::string figures_as_table() {
+    constexpr std::string_view no_unit = "-";
+    std::size_t path_width = 0;
+    std::size_t unit_width = 0;
+    for (const FigureDeclaration& figure : figures()) {
+        path_width = std::max(path_width, text_width(figure.path));
+        unit_width = std::max(unit_width, text_width(figure.unit));
+    }
+    const std::size_t better_width = text_width(to_string(Better::neither));
+    std::string text;
+    for (const FigureDeclaration& figure : figures()) {
+        text += fmt::format("{}  {}  {}  {}\n", pad_right(figure.path, path_width),
+                            pad_right(figure.unit.empty() ? no_unit : figure.unit, unit_width),
+                            pad_right(to_string(figure.better), better_width), figure.label);
+    }
+    return text;
+}
+
+/// One figure a line.
+std::string figures_as_json() {
+    std::vector<std::string> lines;
+    for (const Json& figure : figures_to_json()) {
+        lines.push_back("  " + figure.dump());
+    }
+    return "[\n" + join(lines, ",\n") + "\n]\n";
+}
+
+const std::vector<std::string>& figure_format_names() {
+    static const std::vector<std::string> names = {"table", "json"};
+    return names;
+}
+
+ExitCode list_figures(const std::string& format) {
+    const std::vector<std::string>& names = figure_format_names();
+    if (std::find(names.begin(), names.end(), format) == names.end()) {
+        fail("--format: there is no '{}'{}; the formats are {}", format, did_you_mean(format, names), join(names));
+    }
+    print_results(format == "json" ? figures_as_json() : figures_as_table());
+    return ExitCode::done;
+}
+
 }  // namespace
 
 void add_list_command(CLI::App& app, ChosenCommand& chosen) {
@@ -91,6 +137,14 @@ void add_list_command(CLI::App& app, ChosenCommand& chosen) {
     CLI::App* height_maps = list->add_subcommand("heightmaps", "Procedural height maps");
     height_maps->footer("Example: reliefbench list heightmaps\n");
     height_maps->callback([&chosen] { chosen = list_height_maps; });
+
+    CLI::App* listed_figures =
+        list->add_subcommand("figures", "Figures of a cell: name in its files, unit, which way is better, label");
+    const auto format = std::make_shared<std::string>("table");
+    listed_figures->add_option("--format", *format, "How to write the list; default: table")
+        ->type_name(join(figure_format_names(), "|"));
+    listed_figures->footer("Example: reliefbench list figures\n");
+    listed_figures->callback([&chosen, format] { chosen = [format] { return list_figures(*format); }; });
 }
 
 }  // namespace reliefbench

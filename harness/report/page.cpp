@@ -5,6 +5,7 @@
 #include "report/page_comparison.hpp"
 #include "report/page_pictures.hpp"
 #include "report/page_samples.hpp"
+#include "store/figures.hpp"
 
 #include <algorithm>
 
@@ -80,6 +81,7 @@ Json page_data(const std::vector<PageRun>& runs, const Json& pictures, const std
                std::string_view tool_version) {
     Json json;
     json["tool_version"] = tool_version;
+    json["figures"] = figures_to_json();
     json["runs"] = Json::array();
     for (const PageRun& run : runs) {
         json["runs"].push_back(run_to_json(run));

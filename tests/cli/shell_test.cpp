@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <sstream>
 
@@ -82,10 +83,23 @@ TEST_F(Shell, HelpOfEveryCommandShowsAnExample) {
     }
 }
 
+TEST_F(Shell, FiguresAreListedOneALineWithUnitAndDirection) {
+    const std::string table = reliefbench({"list", "figures"}).out;
+    EXPECT_THAT(table, testing::ContainsRegex("\nerror.uv_texels.p99 +texels +lower +UV error, p99\n"));
+    EXPECT_THAT(table, testing::ContainsRegex("\nimage.psnr +dB +higher +PSNR\n"));
+    EXPECT_THAT(table, testing::ContainsRegex("\nimage.ssim +- +higher +SSIM\n"));
+    const std::string json = reliefbench({"list", "figures", "--format", "json"}).out;
+    EXPECT_EQ(json, read_file(RELIEFBENCH_SOURCE_DIR "/scripts/figures.json"));
+    EXPECT_EQ(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')), Json::parse(json).size());
+    const Outcome refused = reliefbench({"list", "figures", "--format", "jsn"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("did you mean 'json'"));
+}
+
 TEST_F(Shell, BashCompletesCommandsOptionsAndValues) {
     EXPECT_THAT(bash_offers({""}), IsSupersetOf(commands_below({})));
     EXPECT_THAT(bash_offers({"ren"}), UnorderedElementsAre("render"));
-    EXPECT_THAT(bash_offers({"list", ""}), UnorderedElementsAre("techniques", "devices", "heightmaps"));
+    EXPECT_THAT(bash_offers({"list", ""}), UnorderedElementsAre("techniques", "devices", "heightmaps", "figures"));
     EXPECT_THAT(bash_offers({"run", "--f"}), UnorderedElementsAre("--filter", "--format"));
     EXPECT_THAT(bash_offers({"run", "--format", ""}), UnorderedElementsAre("table", "markdown", "csv", "json"));
     // bash splits --color=al at the '='.
@@ -119,7 +133,7 @@ TEST_F(Shell, ZshCompletesTheSame) {
     EXPECT_THAT(offers("reliefbench "), IsSupersetOf(commands_below({})));
     EXPECT_THAT(offers("reliefbench run --for"), Contains("--format"));
     EXPECT_THAT(offers("reliefbench run --format "), UnorderedElementsAre("table", "markdown", "csv", "json"));
-    EXPECT_THAT(offers("reliefbench list "), UnorderedElementsAre("techniques", "devices", "heightmaps"));
+    EXPECT_THAT(offers("reliefbench list "), UnorderedElementsAre("techniques", "devices", "heightmaps", "figures"));
     EXPECT_THAT(offers("reliefbench render --technique "), IsSupersetOf({"pom", "qdm", "steep"}));
     EXPECT_THAT(offers("reliefbench run --filter technique=po"), UnorderedElementsAre("pom"));
 }

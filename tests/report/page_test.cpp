@@ -6,6 +6,7 @@
 #include "report/page_pictures.hpp"
 #include "report/page_samples.hpp"
 #include "run_sample.hpp"
+#include "store/figures.hpp"
 #include "support/error_message.hpp"
 
 #include <gmock/gmock.h>
@@ -234,6 +235,7 @@ TEST(Page, HoldsRunsWithAllThatIsKnownOfThem) {
     failed.failure = "another device";
     const Json json = page_data({run}, Json::array(), failed, "1.2.3");
     EXPECT_EQ(json.at("tool_version"), "1.2.3");
+    EXPECT_EQ(json.at("figures"), figures_to_json());
     EXPECT_EQ(json.at("runs").at(0).at("record").at("device").at("name"), "llvmpipe");
     EXPECT_TRUE(json.at("runs").at(0).at("summary").is_null());
     EXPECT_EQ(json.at("runs").at(0).at("pictures").at("maps").at("error"), Json({2, -1, -1}));
