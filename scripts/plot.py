@@ -7,11 +7,12 @@
 
 pareto: error against cost; the line is the Pareto front: nothing is both cheaper and better. steps: error against steps
 per pixel. angle: cost against view angle. One panel for each view that the filters leave. The format is the file's
-extension: pdf, svg or png. Needs Debian's python3-matplotlib and python3-pandas.
+extension: pdf, svg or png. Labels, units and which way a figure is better come from figures.json beside this script.
+Needs Debian's python3-matplotlib and python3-pandas.
 """
 
 import argparse
-import re
+import dataclasses
 import sys
 from pathlib import Path
 
@@ -21,119 +22,27 @@ try:
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     import matplotlib.ticker
+    import numpy
     import pandas
 except ModuleNotFoundError as missing:
     sys.exit(f"plot.py: there is no Python module {missing.name}; on Debian: apt install python3-matplotlib python3-pandas")
 
-# Short names on the command line: column and what its axis says. Any other numeric column can be named in full.
-ERRORS = {
-    "uv": ("error.uv_texels.p99", "UV error, 99th percentile (texels)"),
-    "uv_mean": ("error.uv_texels.mean", "UV error, mean (texels)"),
-    "depth": ("error.depth.p99", "depth error, 99th percentile (patch sides)"),
-    "normal": ("error.normal_deg.p99", "normal error, 99th percentile (degrees)"),
-    "missed": ("error.missed", "missed hits (fraction of footprint)"),
-    "flip": ("image.flip", "FLIP"),
-    "motion": ("motion.texels.mean", "change of UV error per frame, mean (texels)"),
-    "motion_flip": ("motion.flip.mean", "change per frame, mean FLIP"),
-}
-COSTS = {
-    "ms": ("time.draw.median_ms", "GPU time of a draw (ms)"),
-    "ns": ("time.ns_per_pixel", "GPU time per covered pixel (ns)"),
-    "taps": ("work.taps_mean", "taps per pixel"),
-    "steps": ("work.steps_mean", "steps per pixel"),
-    "prepare": ("prepare.ms", "preparation of maps (ms)"),
-}
-STEPS = COSTS["steps"]
-VIEW_ANGLE = ("axes.view_angle", "view angle (degrees from the normal)")
+from plotted_cells import (COSTS, ERRORS, HIT_LIMIT, VIEW_ANGLE, PlotError, apply_filters, counted, positive, quantity,
+                           read_cells, with_direction, with_numbers)
 
 # Okabe and Ito 2008: told apart by colour-blind eyes; the yellow is left out, which white paper swallows.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">", "*", "h"]
 
-# Missed and false hits above this fraction of the footprint: the errors of such a cell do not count.
-HIT_LIMIT = 0.005
 MOST_PANELS = 6
 PANEL_INCHES = (3.3, 2.8)
 LEGEND_INCHES = 1.7
 # Linear axes serve values within this factor of each other.
 LOG_AXIS_FACTOR = 8
+# How far beyond the others lies what has no place on an axis: a factor below the least, a part of their span.
+ZERO_FACTOR = 4
+INFINITE_ROOM = 0.12
 FORMATS = (".pdf", ".svg", ".png")
-
-
-class PlotError(Exception):
-    """What is wrong with the input, and what to do."""
-
-
-def read_cells(files):
-    frames = []
-    for file in files:
-        try:
-            frames.append(pandas.read_csv(file))
-        except OSError as error:
-            raise PlotError(f"{file}: {error.strerror}") from error
-        except (pandas.errors.ParserError, pandas.errors.EmptyDataError, UnicodeDecodeError) as error:
-            raise PlotError(f"{file}: this is no CSV file ({error}); make one with reliefbench export --format csv") from error
-        for column in ("cell", "technique", "status"):
-            if column not in frames[-1].columns:
-                raise PlotError(f"{file}: there is no column '{column}'; make the file with reliefbench export --format csv")
-    cells = pandas.concat(frames, ignore_index=True)
-    measured = cells[cells["status"] == "ok"]
-    if measured.empty:
-        raise PlotError(f"{', '.join(files)}: no cell was measured ({len(cells)} failed or were skipped)")
-    return measured
-
-
-def find_column(cells, name):
-    for column in (name, f"axes.{name}", f"params.{name}"):
-        if column in cells.columns:
-            return column
-    raise PlotError(f"--filter: there is no axis or parameter '{name}'; there are " + ", ".join(setting_names(cells)))
-
-
-def setting_names(cells):
-    return ["technique"] + [name.split(".", 1)[1] for name in cells.columns if name.startswith(("axes.", "params."))]
-
-
-def equals(values, text):
-    """Numbers as numbers: 60 is 60.0."""
-    try:
-        return pandas.to_numeric(values, errors="coerce") == float(text)
-    except ValueError:
-        return values.astype(str).str.lower() == text.lower()
-
-
-def apply_filters(cells, filters):
-    for expression in filters:
-        match = re.fullmatch(r"([\w.]+)(<=|>=|=|<|>)(.+)", expression)
-        if not match:
-            raise PlotError(f"--filter: expected NAME=V1,V2 or NAME>=V, found '{expression}'")
-        name, relation, text = match.groups()
-        values = cells[find_column(cells, name)]
-        if relation == "=":
-            chosen = pandas.concat([equals(values, each) for each in text.split(",")], axis=1).any(axis=1)
-        else:
-            try:
-                limit = float(text)
-            except ValueError:
-                raise PlotError(f"--filter: expected a number after '{relation}', found '{text}'") from None
-            numbers = pandas.to_numeric(values, errors="coerce")
-            chosen = {"<": numbers < limit, "<=": numbers <= limit, ">": numbers > limit, ">=": numbers >= limit}[relation]
-        if not chosen.any():
-            there = ", ".join(sorted(values.dropna().astype(str).unique())[:12])
-            raise PlotError(f"--filter {expression}: no cell is left; {name} is one of {there}")
-        cells = cells[chosen]
-    return cells
-
-
-def quantity(cells, name, short_names, option):
-    """Column and label, checked."""
-    column, label = short_names.get(name, (name, name))
-    if column not in cells.columns:
-        raise PlotError(f"{option} {name}: there is no column '{column}'; short names: " + ", ".join(short_names))
-    if not pandas.api.types.is_numeric_dtype(cells[column]) or cells[column].isna().all():
-        raise PlotError(f"{option} {name}: the column '{column}' has no numbers" +
-                        ('; the configuration has to ask for it with "motion"' if column.startswith("motion.") else ""))
-    return column, label
 
 
 def varying(cells, prefix, besides=()):
@@ -192,42 +101,42 @@ def style_of(index):
 
 
 def draw_panel(axes, series, styles, x, y):
+    """`x` and `y`: where each cell is drawn, by its index."""
     for label, cells in series.items():
-        cells = cells.sort_values(x)
+        cells = cells.loc[x[cells.index].sort_values().index]
         style = styles[label]
-        axes.plot(cells[x], cells[y], alpha=0.5, **{**style, "marker": None})
+        axes.plot(x[cells.index], y[cells.index], alpha=0.5, **{**style, "marker": None})
         counts = counted(cells)
         for part, face in ((cells[counts], style["color"]), (cells[~counts], "none")):
-            axes.plot(part[x], part[y], linestyle="none", markerfacecolor=face, **{**style, "linewidth": 0})
+            axes.plot(x[part.index], y[part.index], linestyle="none", markerfacecolor=face, **{**style, "linewidth": 0})
 
 
-def counted(cells):
-    """Of which the errors count: hard pixels are not discarded."""
-    hits = cells.get("error.missed", 0) + cells.get("error.false_hits", 0)
-    return ~(hits > HIT_LIMIT) if hasattr(hits, "gt") else pandas.Series(True, index=cells.index)
+def front_of(cells, cost, error):
+    """Cells that nothing is both cheaper and better than, by cost; those whose errors do not count are left out."""
+    worth = {"lower": 1, "higher": -1}
+    ranked = cells[counted(cells)]
+    keys = pandas.DataFrame({"cost": ranked[cost.column] * worth[cost.better],
+                             "error": ranked[error.column] * worth[error.better]}).sort_values(["cost", "error"])
+    best = keys["error"].cummin().shift()
+    return ranked.loc[keys.index[best.isna() | (keys["error"] < best)]]
 
 
-def draw_front(axes, cells, cost, error):
-    front = []
-    best = float("inf")
-    for _, cell in cells[counted(cells)].sort_values([cost, error]).iterrows():
-        if cell[error] < best:
-            best = cell[error]
-            front.append((cell[cost], best))
-    if front:
-        axes.step(*zip(*front), where="post", color="#000000", linewidth=0.8, linestyle=(0, (4, 2)), zorder=0,
-                  label="Pareto front")
+def draw_front(axes, cells, cost, error, placed):
+    front = front_of(cells, cost, error)
+    if not front.empty:
+        axes.step(placed[0][front.index], placed[1][front.index], where="post", color="#000000", linewidth=0.8,
+                  linestyle=(0, (4, 2)), zorder=0, label="Pareto front")
 
 
-def positive(cells, columns, notes):
-    for column in columns:
-        kept = cells[cells[column] > 0]
-        if len(kept) < len(cells):
-            notes.append(f"left out for {column} = 0, which a logarithmic axis lacks: {len(cells) - len(kept)} of {len(cells)} cells")
-        cells = kept
-    if cells.empty:
-        raise PlotError(f"no cell is left with numbers above 0 in {' and '.join(columns)}")
-    return cells
+def placed_on(values, log):
+    """Where values are drawn, and what to say on the axis: zeros and infinite values lie beyond all others."""
+    if log:
+        least = values[values > 0].min()
+        edge = least / ZERO_FACTOR if least > 0 else 1
+        return values.where(values > 0, edge), ("; 0 on the edge" if (values <= 0).any() else "")
+    finite = values[numpy.isfinite(values)]
+    top = finite.max() + INFINITE_ROOM * ((finite.max() - finite.min()) or 1) if len(finite) else 1
+    return values.where(numpy.isfinite(values), top), ("; \N{INFINITY} on the edge" if len(finite) < len(values) else "")
 
 
 def wants_log(values):
@@ -244,7 +153,6 @@ def make_logarithmic(axis, set_scale, values):
 
 
 def make_figure(cells, x, y, title, log_x, log_y, each_setting=False, besides=(), front=False):
-    (x_column, x_label), (y_column, y_label) = x, y
     panels = panels_of(cells, besides)
     labels = sorted({label for _, group in panels for label in series_of(group, each_setting)})
     if len(labels) > 2 * len(MARKERS):
@@ -254,20 +162,21 @@ def make_figure(cells, x, y, title, log_x, log_y, each_setting=False, besides=()
     rows = -(-len(panels) // columns)
     figure, grid = plt.subplots(rows, columns, squeeze=False, sharex=True, sharey=True, layout="constrained",
                                 figsize=(PANEL_INCHES[0] * columns + LEGEND_INCHES, PANEL_INCHES[1] * rows + (0.3 if title else 0)))
+    (placed_x, edge_x), (placed_y, edge_y) = placed_on(cells[x.column], log_x), placed_on(cells[y.column], log_y)
     for axes, (name, group) in zip(grid.flat, panels):
-        draw_panel(axes, series_of(group, each_setting), styles, x_column, y_column)
+        draw_panel(axes, series_of(group, each_setting), styles, placed_x, placed_y)
         if front:
-            draw_front(axes, group, x_column, y_column)
+            draw_front(axes, group, x, y, (placed_x, placed_y))
         axes.set_title(name, fontsize=8)
         axes.grid(True, which="major", linewidth=0.3, color="#cccccc")
         if log_x:
-            make_logarithmic(axes.xaxis, axes.set_xscale, cells[x_column])
+            make_logarithmic(axes.xaxis, axes.set_xscale, placed_x)
         if log_y:
-            make_logarithmic(axes.yaxis, axes.set_yscale, cells[y_column])
+            make_logarithmic(axes.yaxis, axes.set_yscale, placed_y)
     for axes in list(grid.flat)[len(panels):]:
         axes.set_visible(False)
-    figure.supxlabel(x_label, fontsize=9)
-    figure.supylabel(y_label, fontsize=9)
+    figure.supxlabel(x.axis(", ") + edge_x, fontsize=9)
+    figure.supylabel(y.axis("\n") + edge_y, fontsize=9)
     if title:
         figure.suptitle(title, fontsize=10)
     handles = [plt.Line2D([], [], label=label, **style) for label, style in styles.items()]
@@ -280,28 +189,35 @@ def make_figure(cells, x, y, title, log_x, log_y, each_setting=False, besides=()
     return figure
 
 
+def is_logarithmic(chosen):
+    """What is better the lower it is shrinks by factors; the others near a bound (SSIM, coverage) or are decibels."""
+    return chosen.better != "higher"
+
+
 def plot_pareto(cells, options, notes):
-    cost = quantity(cells, options.cost, COSTS, "--cost")
-    error = quantity(cells, options.error, ERRORS, "--error")
-    cells = positive(cells, [cost[0], error[0]], notes)
-    return make_figure(cells, cost, error, options.title, True, True, front=True)
+    cost = with_direction(quantity(cells, options.cost, COSTS, "--cost", notes), "--cost")
+    error = with_direction(quantity(cells, options.error, ERRORS, "--error", notes), "--error")
+    cells = with_numbers(cells, [cost.column, error.column], notes)
+    return make_figure(cells, cost, error, options.title, is_logarithmic(cost), is_logarithmic(error), front=True)
 
 
 def plot_steps(cells, options, notes):
-    steps = quantity(cells, "steps", COSTS, "steps")
-    error = quantity(cells, options.error, ERRORS, "--error")
-    cells = positive(cells, [steps[0], error[0]], notes)
-    return make_figure(cells, steps, error, options.title, True, True)
+    steps = quantity(cells, "steps", COSTS, "steps", notes)
+    error = quantity(cells, options.error, ERRORS, "--error", notes)
+    cells = positive(with_numbers(cells, [steps.column, error.column], notes), steps.column, notes)
+    log = is_logarithmic(error) and (cells[error.column] >= 0).all()
+    return make_figure(cells, steps, error, options.title, True, log)
 
 
 def plot_angle(cells, options, notes):
-    cost = quantity(cells, options.cost, COSTS, "--cost")
-    quantity(cells, VIEW_ANGLE[0], {}, "angle")
-    cells = cells[cells[cost[0]].notna()]
-    if cells[VIEW_ANGLE[0]].nunique() < 2:
+    cost = quantity(cells, options.cost, COSTS, "--cost", notes)
+    angle = quantity(cells, VIEW_ANGLE, {}, "angle", notes)
+    cells = with_numbers(cells, [cost.column], notes)
+    if cells[VIEW_ANGLE].nunique() < 2:
         raise PlotError("angle: all cells have one view angle; export a run whose axis view_angle has several")
-    log = wants_log(cells[cost[0]])
-    return make_figure(cells, VIEW_ANGLE, cost, options.title, False, log, each_setting=True, besides=[VIEW_ANGLE[0]])
+    angle = dataclasses.replace(angle, label="view angle (degrees from the normal)")
+    return make_figure(cells, angle, cost, options.title, False, wants_log(cells[cost.column]), each_setting=True,
+                       besides=[VIEW_ANGLE])
 
 
 FIGURES = {"pareto": plot_pareto, "steps": plot_steps, "angle": plot_angle}

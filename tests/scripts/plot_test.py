@@ -25,6 +25,7 @@ CONFIGURATION = {
 
 
 def load_plot():
+    sys.path.insert(0, str(PLOT.parent))
     specification = importlib.util.spec_from_file_location("plot", PLOT)
     module = importlib.util.module_from_spec(specification)
     specification.loader.exec_module(module)
@@ -45,6 +46,10 @@ class Plot(unittest.TestCase):
     @classmethod
     def tearDownClass(cls):
         cls.folder.cleanup()
+
+    @staticmethod
+    def declared():
+        return sys.modules["plotted_cells"].declared_figures()
 
     def plot(self, *arguments):
         """Exit code and standard error. In this process: importing matplotlib takes a second."""
@@ -75,27 +80,81 @@ class Plot(unittest.TestCase):
 
     def test_the_front_has_its_labels_a_panel_for_each_view_and_every_technique(self):
         text = self.svg("pareto", "cells.csv", "--title", "Made up")
-        for words in ("GPU time of a draw (ms)", "UV error, 99th percentile (texels)", "view_angle 30", "view_angle 60",
-                      "flat", "steep", "pom", "Pareto front", "Made up"):
+        for words in ("Draw time (ms), lower is better", "UV error, p99 (texels)", "lower is better", "view_angle 30",
+                      "view_angle 60", "flat", "steep", "pom", "Pareto front", "Made up"):
             self.shows(text, words)
 
     def test_error_and_cost_can_be_chosen(self):
         text = self.svg("pareto", "cells.csv", "--error", "flip", "--cost", "taps", "--filter", "view_angle=60",
                         "--filter", "technique=steep,pom")
-        for words in ("FLIP", "taps per pixel"):
-            self.shows(text, words)
+        self.shows(text, "Taps per pixel, lower is better")
+        self.assertIn(">FLIP", text)
         self.assertFalse("view_angle" in text)
-        self.shows(self.svg("pareto", "cells.csv", "--error", "error.depth.rms"), "error.depth.rms")
+        self.shows(self.svg("pareto", "cells.csv", "--error", "error.depth.rms"), "Depth error, RMS (patch sides)")
+
+    def front(self, cost, error, cells):
+        """Names of the cells on the front."""
+        script = self.script
+        figures = script.pandas.DataFrame(cells, columns=["cell", "time.draw.median_ms", error])
+        quantities = [script.quantity(figures, name, {}, "", []) for name in (cost, error)]
+        return list(script.front_of(figures, *quantities)["cell"])
+
+    def test_a_front_goes_through_the_best_points_whichever_way_a_figure_is_better(self):
+        cells = [("a", 1, 0.2), ("b", 2, 0.5), ("c", 3, 0.4), ("d", 4, 0.9), ("e", 4, 0.95)]
+        for error, expected in (("image.ssim", "abe"), ("image.psnr", "abe"), ("error.coverage_iou", "abe"),
+                                ("image.flip", "a"), ("error.uv_texels.p99", "a")):
+            self.assertEqual("".join(self.front("time.draw.median_ms", error, cells)), expected, error)
+
+    def test_a_figure_without_a_direction_has_no_front(self):
+        self.refused(["--error error.depth.mean", "neither low nor high values", "no front"], "pareto", "cells.csv", "--error",
+                     "error.depth.mean")
+        self.refused(["--cost work.covered_pixels", "no front"], "pareto", "cells.csv", "--cost", "work.covered_pixels")
+        self.refused(["no front"], "pareto", "cells.csv", "--cost", "params.max_steps")
+        self.shows(self.svg("angle", "cells.csv", "--cost", "error.depth.mean"), "Depth error, signed mean (patch sides)")
+
+    def test_a_picture_without_an_error_has_the_best_psnr_and_zeros_are_on_the_front(self):
+        header = "cell,technique,status,axes.view_angle,time.draw.median_ms,error.uv_texels.p99,image.psnr,image.rmse"
+        rows = ["a | v,a,ok,0,1,2,20,0.1", "b | v,b,ok,0,2,0,,0", "c | v,c,ok,0,3,1,30,0.03", "d | v,d,ok,0,4,1,,"]
+        (self.path / "perfect.csv").write_text("\n".join([header, *rows]) + "\n")
+        cells = self.script.read_cells([str(self.path / "perfect.csv")])
+        for name in ("image.psnr", "uv"):
+            error = self.script.quantity(cells, name, self.script.ERRORS, "", [])
+            cost = self.script.quantity(cells, "ms", self.script.COSTS, "", [])
+            with_both = self.script.with_numbers(cells, [error.column], [])
+            self.assertEqual(list(self.script.front_of(with_both, cost, error)["technique"]), ["a", "b"], name)
+        code, notes = self.plot("pareto", "perfect.csv", "-o", "figure.svg", "--error", "psnr")
+        self.assertEqual((code, notes), (0, "plot.py: note: left out without image.psnr: 1 of 4 cells\n"))
+        self.shows((self.path / "figure.svg").read_text(), "higher is better; \N{INFINITY} on the edge")
+        self.shows(self.svg("pareto", "perfect.csv"), "lower is better; 0 on the edge")
+
+    def test_whole_pictures_are_taken_where_there_are_none_over_the_footprint_and_that_is_told(self):
+        header = "cell,technique,status,time.draw.median_ms,image.flip,error.outside_quad.pixels"
+        (self.path / "old.csv").write_text(f"{header}\na | v,a,ok,1,0.5,9\nb | v,b,ok,2,0.25,0\n")
+        code, notes = self.plot("pareto", "old.csv", "-o", "figure.svg", "--error", "flip")
+        self.assertEqual(code, 0)
+        self.assertIn("image.flip counts relief beyond the quad", notes)
+        self.assertIn("image.footprint.flip would not, which these runs do not have", notes)
+        (self.path / "new.csv").write_text(f"{header},image.footprint.flip\na | v,a,ok,1,0.5,9,0.1\nb | v,b,ok,2,0.5,9,0.05\n")
+        flip = {"path": "image.footprint.flip", "label": "FLIP over the footprint", "unit": "", "better": "lower"}
+        (self.path / "figures.json").write_text(json.dumps([flip, *self.declared().values()]))
+        with mock.patch.object(sys.modules["plotted_cells"], "FIGURES_FILE", self.path / "figures.json"):
+            self.svg("pareto", "new.csv", "--error", "flip")
+
+    def test_every_short_name_is_a_declared_figure(self):
+        declared = self.declared()
+        for columns in [*self.script.ERRORS.values(), *self.script.COSTS.values()]:
+            self.assertIn(columns[-1], declared)
+            self.assertNotEqual(declared[columns[-1]]["better"], "neither")
 
     def test_error_against_steps(self):
         text = self.svg("steps", "cells.csv", "--filter", "technique=steep,pom", "--filter", "view_angle>=60")
-        for words in ("steps per pixel", "UV error, 99th percentile (texels)", "steep"):
+        for words in ("Steps per pixel, lower is better", "UV error, p99 (texels)", "steep"):
             self.shows(text, words)
         self.assertFalse(">flat<" in text)
 
     def test_time_against_view_angle_has_a_line_for_each_setting(self):
         text = self.svg("angle", "cells.csv", "--cost", "ns")
-        for words in ("view angle (degrees from the normal)", "GPU time per covered pixel (ns)"):
+        for words in ("view angle (degrees from the normal)", "Draw time per covered pixel (ns)"):
             self.shows(text, words)
         # At their defaults parameters are left out, and min_steps follows max_steps.
         self.assertEqual(len(set(re.findall(r">(steep [^<]*max_steps=4[^<]*)<", text))), 1)
@@ -120,6 +179,7 @@ class Plot(unittest.TestCase):
         self.refused(["none.csv", "No such file"], "pareto", "none.csv")
         self.refused(["no column 'cell'", "reliefbench export --format csv"], "pareto", "plot.json")
         self.refused(["'time.speed'", "short names: ms"], "pareto", "cells.csv", "--cost", "time.speed")
+        self.refused(["did you mean 'error.depth.max'?"], "pareto", "cells.csv", "--error", "error.depht.max")
         self.refused(['"motion"'], "pareto", "cells.csv", "--error", "motion")
         self.refused(["no cell is left", "30"], "pareto", "cells.csv", "--filter", "view_angle=45")
         self.refused(["no axis or parameter 'angle'", "view_angle"], "pareto", "cells.csv", "--filter", "angle=45")
