@@ -1,37 +1,219 @@
-import type { SettingPoint } from "./settings.ts";
+// What to use of a run's settings within limits: the rules are those of docs/report.md, "Advice".
 
-export type Goal = { kind: "budget"; cost: number } | { kind: "limit"; error: number };
+import { type Cells, numberOf, sortedValues, textOf, valueText, variedAxes } from "./data.ts";
+import { advantage, type Metric, worstOf, wrongHitsMetric } from "./metrics.ts";
+import { type SettingPoint, settingPoints } from "./settings.ts";
+
+/** At most so much of what is better the lower it is, at least so much of the others. */
+export interface Limit {
+  metric: Metric;
+  bound: number;
+}
+
+export interface Question {
+  cost: Metric;
+  /** What ranks the settings. */
+  error: Metric;
+  limits: Limit[];
+}
+
+/** A setting by its worst view. */
+export interface Candidate extends SettingPoint {
+  /** 95 % interval of the cost; of what is counted, not timed, the cost itself. */
+  costInterval: [number, number];
+  /** In the order of the question's limits. */
+  limited: number[];
+}
 
 export interface Advice {
-  /** The best that keeps to the goal. */
-  winner: SettingPoint | null;
-  /** The best of another technique. */
-  runnerUp: SettingPoint | null;
-  /** Where nothing keeps to the goal: what comes nearest. */
-  nearest: SettingPoint | null;
+  winner: Candidate | null;
+  /** The best of another technique that keeps to the limits. */
+  runnerUp: Candidate | null;
+  /** Others within the limits that cannot be told apart from the winner by what was asked for. */
+  asGood: Candidate[];
+  /**
+   * With a budget: settings beyond it by ascending cost, the first told to be better than the least error within it (where
+   * nothing is within: than the nearest), each of the others than the one before.
+   */
+  beyond: Candidate[];
+  /** Where nothing keeps to the limits: the one whose largest ratio of a figure to its limit is the least. */
+  nearest: Candidate | null;
+  /** Settings that keep to all limits, but miss or invent too many hits. */
+  refused: number;
 }
 
-/** Negative where `a` is to be preferred. */
-function preference(goal: Goal, a: SettingPoint, b: SettingPoint): number {
-  const byText = a.setting < b.setting ? -1 : a.setting > b.setting ? 1 : 0;
-  return goal.kind === "budget"
-    ? a.error - b.error || a.cost - b.cost || byText
-    : a.cost - b.cost || a.error - b.error || byText;
-}
+const mostSteps = 3;
+/** What views may differ in and be asked about together: the material, and the side it is seen from. */
+const joinedAxes = ["heightmap", "azimuth"];
 
-function keepsTo(goal: Goal, point: SettingPoint): boolean {
-  return goal.kind === "budget" ? point.cost <= goal.cost : point.error <= goal.error;
-}
-
-/** What to use of `points`. Settings that miss or invent too many hits are no advice. */
-export function advise(points: readonly SettingPoint[], goal: Goal): Advice {
-  const counted = points.filter((point) => point.counts);
-  const kept = counted.filter((point) => keepsTo(goal, point)).sort((a, b) => preference(goal, a, b));
-  const winner = kept[0] ?? null;
-  if (winner !== null) {
-    return { winner, runnerUp: kept.find((point) => point.technique !== winner.technique) ?? null, nearest: null };
+/** By the axes that the asker chooses, in the order of their values; the key's texts in the order of `axes`. */
+export function adviceGroups(
+  cells: Cells,
+  selection: readonly number[],
+): { axes: string[]; groups: { values: (string | null)[]; cells: number[] }[] } {
+  const axes = variedAxes(cells).filter((axis) => !joinedAxes.includes(axis));
+  const groups = new Map<string, { values: (string | null)[]; cells: number[] }>();
+  for (const cell of selection) {
+    const values = axes.map((axis) => textOf(cells.axes[axis], cell));
+    const key = JSON.stringify(values);
+    const group = groups.get(key);
+    if (group) group.cells.push(cell);
+    else groups.set(key, { values, cells: [cell] });
   }
-  const excess = (point: SettingPoint) => (goal.kind === "budget" ? point.cost : point.error);
-  const nearest = [...counted].sort((a, b) => excess(a) - excess(b) || preference(goal, a, b))[0] ?? null;
-  return { winner: null, runnerUp: null, nearest };
+  const ranks = axes.map((axis) => sortedValues(cells.axes[axis]!).map(valueText));
+  const rank = (values: (string | null)[], at: number) => ranks[at]!.indexOf(values[at] ?? "");
+  const ordered = [...groups.values()].sort((a, b) =>
+    axes.reduce((order, _, at) => order || rank(a.values, at) - rank(b.values, at), 0),
+  );
+  return { axes, groups: ordered };
+}
+
+/** Times have the relative interval of the draw's median. */
+function intervalOf(cells: Cells, cost: Metric, cell: number): [number, number] {
+  const value = cost.of(cells, cell)!;
+  const median = numberOf(cells, "time.draw.median_ms", cell);
+  const low = numberOf(cells, "time.draw.ci95_ms.low", cell);
+  const high = numberOf(cells, "time.draw.ci95_ms.high", cell);
+  if (!cost.id.startsWith("time.") || !median || low === null || high === null) return [value, value];
+  return [(value * low) / median, (value * high) / median];
+}
+
+export function candidates(
+  cells: Cells,
+  selection: readonly number[],
+  question: Question,
+): { all: Candidate[]; incomplete: number } {
+  const { cost, error, limits } = question;
+  const needed = [wrongHitsMetric, ...limits.map(({ metric }) => metric)];
+  const { points, incomplete } = settingPoints(cells, selection, cost, error, "worst", needed);
+  const worst = (metric: Metric, members: readonly number[]) =>
+    worstOf(
+      metric.better,
+      members.map((cell) => metric.of(cells, cell)!),
+    );
+  const all = points.map((point) => ({
+    ...point,
+    costInterval: intervalOf(
+      cells,
+      cost,
+      point.cells.find((cell) => cost.of(cells, cell) === point.cost)!,
+    ),
+    limited: limits.map(({ metric }) => worst(metric, point.cells)),
+  }));
+  return { all, incomplete };
+}
+
+/** Two values differ when they do so by more than both, the relative one of the larger. */
+function tolerance(error: Metric): { absolute: number; relative: number } {
+  if (/\bflip\b/.test(error.id)) return { absolute: 0.002, relative: 0.02 };
+  if (error.unit === "texels") return { absolute: 0.05, relative: 0.05 };
+  return { absolute: 0.005, relative: 0.05 };
+}
+
+/** Whether `a` can be told to be better than `b`. */
+export function tellsBetter(error: Metric, a: number, b: number): boolean {
+  if (advantage(error.better, a, b) <= 0) return false;
+  const { absolute, relative } = tolerance(error);
+  const difference = Math.abs(a - b);
+  return (
+    difference === Infinity || (difference > absolute && difference > relative * Math.max(Math.abs(a), Math.abs(b)))
+  );
+}
+
+function sameError(error: Metric, a: Candidate, b: Candidate): boolean {
+  return !tellsBetter(error, a.error, b.error) && !tellsBetter(error, b.error, a.error);
+}
+
+function sameCost(a: Candidate, b: Candidate): boolean {
+  return a.costInterval[0] <= b.costInterval[1] && b.costInterval[0] <= a.costInterval[1];
+}
+
+function keeps(limit: Limit, value: number): boolean {
+  return advantage(limit.metric.better, value, limit.bound) >= 0;
+}
+
+/** How far a value is beyond its limit, as a ratio; at most 1 where it keeps to it. */
+export function excess(limit: Limit, value: number): number {
+  if (keeps(limit, value)) return 1;
+  const ratio = limit.metric.better === "lower" ? value / limit.bound : limit.bound / value;
+  return Number.isNaN(ratio) || ratio < 0 ? Infinity : ratio;
+}
+
+type Order = (a: Candidate, b: Candidate) => number;
+
+/** With a budget alone the cheapest of those whose error cannot be told from the least; else the cheapest. */
+function bestOf(kept: readonly Candidate[], question: Question, byError: Order, byCost: Order): Candidate | null {
+  const least = [...kept].sort(byError)[0];
+  if (least === undefined) return null;
+  const asExact = errorsAreLimited(question)
+    ? [...kept]
+    : kept.filter((point) => sameError(question.error, point, least));
+  return asExact.sort(byCost)[0]!;
+}
+
+const errorsAreLimited = ({ limits }: Question) => limits.some(({ metric }) => metric.role === "error");
+
+/** The limit on the cost. */
+export function budgetOf({ cost, limits }: Question): Limit | null {
+  return limits.find(({ metric }) => metric.id === cost.id) ?? null;
+}
+
+function stepsBeyond(
+  counted: readonly Candidate[],
+  nearest: Candidate | null,
+  question: Question,
+  byError: Order,
+  byCost: Order,
+): Candidate[] {
+  const budget = budgetOf(question);
+  if (budget === null) return [];
+  let before = counted.filter((point) => keeps(budget, point.cost)).sort(byError)[0] ?? nearest;
+  const steps: Candidate[] = [];
+  for (const point of counted.filter(({ cost }) => !keeps(budget, cost)).sort(byCost)) {
+    if (steps.length === mostSteps) break;
+    if (before === null || !tellsBetter(question.error, point.error, before.error)) continue;
+    steps.push(point);
+    before = point;
+  }
+  return steps;
+}
+
+/** What to use. Settings that miss or invent too many hits are no advice. */
+export function advise(all: readonly Candidate[], question: Question): Advice {
+  const { error, limits } = question;
+  const byText: Order = (a, b) => (a.setting < b.setting ? -1 : a.setting > b.setting ? 1 : 0);
+  const byError: Order = (a, b) => advantage(error.better, b.error, a.error) || a.cost - b.cost || byText(a, b);
+  const byCost: Order = (a, b) => a.cost - b.cost || advantage(error.better, b.error, a.error) || byText(a, b);
+  const keepsAll = (point: Candidate) => limits.every((limit, at) => keeps(limit, point.limited[at]!));
+  const largestExcess = (point: Candidate) =>
+    Math.max(0, ...limits.map((limit, at) => excess(limit, point.limited[at]!)));
+
+  const counted = all.filter((point) => point.counts);
+  const kept = counted.filter(keepsAll);
+  const winner = bestOf(kept, question, byError, byCost);
+  const nearest =
+    winner === null
+      ? ([...counted].sort((a, b) => {
+          const [x, y] = [largestExcess(a), largestExcess(b)];
+          return (x === y ? 0 : x - y) || byCost(a, b);
+        })[0] ?? null)
+      : null;
+  const isAsGood = (point: Candidate) =>
+    winner !== null &&
+    point !== winner &&
+    sameCost(point, winner) &&
+    (errorsAreLimited(question) || sameError(error, point, winner));
+  return {
+    winner,
+    runnerUp: bestOf(
+      kept.filter(({ technique }) => technique !== winner?.technique),
+      question,
+      byError,
+      byCost,
+    ),
+    asGood: kept.filter(isAsGood).sort(byError),
+    beyond: stepsBeyond(counted, nearest, question, byError, byCost),
+    nearest,
+    refused: all.filter((point) => !point.counts && keepsAll(point)).length,
+  };
 }

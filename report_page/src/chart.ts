@@ -10,6 +10,7 @@ import { type EChartsCoreOption, type EChartsType, init, use } from "echarts/cor
 import { CanvasRenderer } from "echarts/renderers";
 
 import { h } from "./dom.ts";
+import { type FigureScale, logBase } from "./scales.ts";
 
 use([
   BoxplotChart,
@@ -84,12 +85,33 @@ export function axisStyle(ink: Ink, name: string): Record<string, unknown> {
   return {
     name,
     nameLocation: "middle",
-    nameTextStyle: { color: ink.muted, fontFamily: ink.font, fontSize: ink.size },
+    nameTextStyle: { color: ink.muted, fontFamily: ink.font, fontSize: ink.size, lineHeight: 1.3 * ink.size },
     axisLabel: { color: ink.muted, fontFamily: ink.font, fontSize: ink.size, hideOverlap: true },
     axisLine: { show: true, onZero: false, lineStyle: { color: ink.line } },
     axisTick: { show: true, lineStyle: { color: ink.line } },
     splitLine: { show: true, lineStyle: { color: ink.line, opacity: 0.6 } },
     minorSplitLine: { show: false },
+  };
+}
+
+/** An axis for a figure; `labelled`: with numbers at its ticks. */
+export function figureAxis(ink: Ink, name: string, scale: FigureScale, labelled: boolean): Record<string, unknown> {
+  return {
+    ...axisStyle(ink, name),
+    type: scale.type,
+    ...(scale.type === "log" ? { logBase: logBase(scale) } : {}),
+    min: scale.min,
+    max: scale.max,
+    axisLabel: {
+      color: ink.muted,
+      fontFamily: ink.font,
+      fontSize: ink.size,
+      hideOverlap: true,
+      show: labelled,
+      formatter: (value: number) => scale.text(value),
+      showMinLabel: scale.endTexts.min,
+      showMaxLabel: scale.endTexts.max,
+    },
   };
 }
 

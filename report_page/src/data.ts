@@ -117,8 +117,18 @@ export interface PageComparison {
   result: ComparisonResult | null;
 }
 
+/** What a number of a cell is, by its path in cells.jsonl: harness/store/figures.hpp has the list. */
+export interface Figure {
+  path: string;
+  label: string;
+  /** Empty for pure numbers. */
+  unit: string;
+  better: "lower" | "higher" | "neither";
+}
+
 export interface PageData {
   tool_version: string;
+  figures: Figure[];
   runs: RunData[];
   pictures: PackedPicture[];
   comparison: PageComparison | null;

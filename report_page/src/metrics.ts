@@ -1,26 +1,64 @@
-import { type Cells, numberOf } from "./data.ts";
-import { bytesText, significant } from "./numbers.ts";
+// Figures of cells as costs and errors: label, unit and direction are those of the page's list of figures.
+
+import { type Cells, type Figure, hasFigure, numberOf } from "./data.ts";
+import { bytesText, figureText } from "./numbers.ts";
 
 /** Missed and false hits above this fraction of the footprint: discarding hard pixels wins nothing. */
 export const hitLimit = 0.005;
 
-/** A figure of a cell that is better the smaller it is. */
+export type Better = "lower" | "higher";
+
+/** A figure of a cell with a direction. */
 export interface Metric {
   id: string;
   label: string;
   unit: string;
+  better: Better;
+  role: "cost" | "error";
+  /** In the unit. Infinite for the PSNR of pictures that are equal. */
   of(cells: Cells, cell: number): number | null;
 }
 
-function field(id: string, label: string, unit: string, scale = 1): Metric {
+const fraction = /^fraction\b/;
+
+/** Fractions are shown in per cent. */
+function shownScale(unit: string): number {
+  return fraction.test(unit) ? 100 : 1;
+}
+
+export function shownUnit(unit: string): string {
+  return unit.replace(fraction, "%");
+}
+
+/** The ratio of a picture without an error to its noise has no number in JSON. */
+function valueOf(cells: Cells, path: string, cell: number): number | null {
+  const value = numberOf(cells, path, cell);
+  if (value !== null || !path.endsWith(".psnr")) return value;
+  return numberOf(cells, path.replace(/psnr$/, "rmse"), cell) === 0 ? Infinity : null;
+}
+
+/** By cell, in the unit that `shownUnit` gives. */
+export function shownFigure(cells: Cells, figure: Figure): (cell: number) => number | null {
+  const scale = shownScale(figure.unit);
+  return (cell) => {
+    const value = valueOf(cells, figure.path, cell);
+    return value === null ? null : scale * value;
+  };
+}
+
+/** Time, work and memory; of these groups, fractions of pixels say how well the work was done. */
+function isCost(figure: Figure): boolean {
+  return /^(time|work|prepare)\./.test(figure.path) && !fraction.test(figure.unit);
+}
+
+function metricOf(figure: Figure, better: Better): Metric {
   return {
-    id,
-    label,
-    unit,
-    of(cells, cell) {
-      const value = numberOf(cells, id, cell);
-      return value === null ? null : scale * value;
-    },
+    id: figure.path,
+    label: figure.label,
+    unit: shownUnit(figure.unit),
+    better,
+    role: isCost(figure) ? "cost" : "error",
+    of: (cells, cell) => shownFigure(cells, figure)(cell),
   };
 }
 
@@ -37,102 +75,81 @@ export function hitsWithinLimit(cells: Cells, cell: number): boolean {
   return wrong !== null && wrong <= hitLimit;
 }
 
-const knownErrors: Metric[] = [
-  field("error.uv_texels.p99", "UV error, p99", "texels"),
-  field("error.uv_texels.p95", "UV error, p95", "texels"),
-  field("error.uv_texels.p50", "UV error, median", "texels"),
-  field("error.uv_texels.mean", "UV error, mean", "texels"),
-  field("error.uv_texels.rms", "UV error, RMS", "texels"),
-  field("error.uv_texels.max", "UV error, maximum", "texels"),
-  field("error.depth.p99", "Depth error, p99", "patch sides"),
-  field("error.depth.rms", "Depth error, RMS", "patch sides"),
-  field("error.depth.max", "Depth error, maximum", "patch sides"),
-  field("error.normal_deg.p99", "Normal error, p99", "degrees"),
-  field("error.normal_deg.mean", "Normal error, mean", "degrees"),
-  field("image.flip", "FLIP, mean", ""),
-  {
-    id: "image.dssim",
-    label: "1 − SSIM",
-    unit: "",
-    of(cells, cell) {
-      const ssim = numberOf(cells, "image.ssim", cell);
-      return ssim === null ? null : Math.max(0, 1 - ssim);
-    },
+export const wrongHitsMetric: Metric = {
+  id: "error.wrong_hits",
+  label: "Missed and false hits",
+  unit: "% of footprint",
+  better: "lower",
+  role: "error",
+  of(cells, cell) {
+    const wrong = wrongHits(cells, cell);
+    return wrong === null ? null : 100 * wrong;
   },
-  field("image.rmse", "RMSE of the picture", ""),
-  field("error.missed", "Missed hits", "% of footprint", 100),
-  field("error.false_hits", "False hits", "% of footprint", 100),
-  {
-    id: "error.wrong_hits",
-    label: "Missed and false hits",
-    unit: "% of footprint",
-    of(cells, cell) {
-      const wrong = wrongHits(cells, cell);
-      return wrong === null ? null : 100 * wrong;
-    },
-  },
-  field("motion.texels.mean", "Change of the UV error in motion, mean", "texels"),
-  field("motion.texels.p95", "Change of the UV error in motion, p95", "texels"),
-  field("motion.texels.max", "Change of the UV error in motion, maximum", "texels"),
-  field("motion.flip.mean", "FLIP in motion, mean", ""),
-  field("motion.flip.p95", "FLIP in motion, p95", ""),
-  field("work.unconverged", "Unconverged searches", "% of pixels", 100),
-];
+};
 
-const knownCosts: Metric[] = [
-  field("time.draw.median_ms", "Draw time", "ms"),
-  field("time.ns_per_pixel", "Time per covered pixel", "ns"),
-  field("time.draw.lower_quartile_ms", "Draw time, lower quartile", "ms"),
-  field("work.taps_mean", "Taps per pixel", ""),
-  field("work.texels_mean", "Texels read per pixel", ""),
-  field("work.steps_mean", "Steps per pixel", ""),
-  field("prepare.ms", "Preparation time", "ms"),
-  field("prepare.bytes", "Memory of prepared maps", "bytes"),
-];
-
-/** These are no errors (of those, the larger is the worse one), or one of many statistics of one. */
-const noErrors =
-  /^(error\.(compared|coverage_iou|outside_quad\..*|.*\.(p50|p95|p99|mean|rms|max))|image\.(psnr|ssim)|motion\.(flip\.max|compared|hit_once|unseen))$/;
-
-/** Fields of later versions: errors by their group, under their own name. */
-function unknownErrors(cells: Cells): Metric[] {
-  const known = new Set(knownErrors.map((metric) => metric.id));
-  return Object.keys(cells.numbers)
-    .filter((path) => /^(error|image|motion)\./.test(path) && !known.has(path) && !noErrors.test(path))
-    .map((path) => field(path, path, ""));
-}
-
-/** Those that at least one cell has. */
-function present(metrics: Metric[], cells: Cells): Metric[] {
-  return metrics.filter((metric) => {
-    for (let cell = 0; cell < cells.count; ++cell) {
-      if (metric.of(cells, cell) !== null) return true;
-    }
-    return false;
+/** Those that some cell has and that have a direction, in the order of the list. */
+function metricsOf(figures: readonly Figure[], cells: Cells, wanted: (figure: Figure) => boolean): Metric[] {
+  return figures.flatMap((figure) => {
+    const { path, better } = figure;
+    const there = hasFigure(cells, path) && cells.numbers[path]!.some((value) => value !== null);
+    return there && better !== "neither" && wanted(figure) ? [metricOf(figure, better)] : [];
   });
 }
 
-export function errorMetrics(cells: Cells): Metric[] {
-  return present([...knownErrors, ...unknownErrors(cells)], cells);
+export function errorMetrics(figures: readonly Figure[], cells: Cells): Metric[] {
+  const metrics = metricsOf(figures, cells, (figure) => !isCost(figure));
+  const falseHits = metrics.findIndex(({ id }) => id === "error.false_hits");
+  if (falseHits >= 0) metrics.splice(falseHits + 1, 0, wrongHitsMetric);
+  return metrics;
 }
 
-export function costMetrics(cells: Cells): Metric[] {
-  return present(knownCosts, cells);
+export function costMetrics(figures: readonly Figure[], cells: Cells): Metric[] {
+  return metricsOf(figures, cells, isCost);
 }
 
-/** The one with this id, else the first; null where there is none at all. */
-export function metricById(metrics: Metric[], id: string): Metric | null {
-  return metrics.find((metric) => metric.id === id) ?? metrics[0] ?? null;
+/** What is shown unless something else is chosen, the first that the run has. */
+export const usualError = ["error.uv_texels.p99"];
+/** Of advice: what is seen decides; over the footprint, over the whole picture, where there are no pictures the hits. */
+export const usualQuality = ["image.footprint.flip", "image.flip", ...usualError];
+export const usualCost = ["time.draw.median_ms"];
+
+/** The first of these ids that there is, else the first metric; null where there is none at all. */
+export function metricById(metrics: readonly Metric[], ...ids: string[]): Metric | null {
+  for (const id of ids) {
+    const found = metrics.find((metric) => metric.id === id);
+    if (found) return found;
+  }
+  return metrics[0] ?? null;
 }
 
-/** "UV error, 99th percentile (texels)" */
-export function metricTitle(metric: Metric): string {
+/** Above 0 where `a` is the better value. */
+export function advantage(better: Better, a: number, b: number): number {
+  if (a === b) return 0;
+  return better === "higher" ? a - b : b - a;
+}
+
+/** The worst of the values; there must be one. */
+export function worstOf(better: Better, values: readonly number[]): number {
+  return values.reduce((worst, value) => (advantage(better, worst, value) > 0 ? value : worst));
+}
+
+/** "UV error, p99 (texels)" */
+export function metricTitle(metric: Pick<Metric, "label" | "unit">): string {
   return metric.unit === "" ? metric.label : `${metric.label} (${metric.unit})`;
 }
 
+/** Of a chart's axis: "UV error, p99 (texels), lower is better"; in one line or two. */
+export function axisTitle(metric: Metric, separator = ", "): string {
+  return `${metricTitle(metric)}${separator}${metric.better} is better`;
+}
+
+/** Below a title that has the unit: "0.031" */
+export function bareText(metric: Pick<Metric, "unit">, value: number | null): string {
+  return metric.unit === "bytes" ? bytesText(value) : figureText(value);
+}
+
 /** "0.031 texels" */
-export function metricText(metric: Metric, value: number | null): string {
-  if (metric.unit === "bytes") return bytesText(value);
-  if (metric.unit.startsWith("%")) return value === null ? "–" : `${significant(value)} ${metric.unit}`;
-  return metric.unit === "" || value === null ? significant(value) : `${significant(value)} ${metric.unit}`;
+export function metricText(metric: Pick<Metric, "unit">, value: number | null): string {
+  const text = bareText(metric, value);
+  return metric.unit === "" || metric.unit === "bytes" || value === null ? text : `${text} ${metric.unit}`;
 }

@@ -13,6 +13,11 @@ export function significant(value: number | null | undefined, digits = 3): strin
   return value.toFixed(decimals).replace("-", "−");
 }
 
+/** A figure, which may be infinite. */
+export function figureText(value: number | null): string {
+  return value === Infinity ? "∞" : significant(value);
+}
+
 /** A change that a ratio is: "+7.2 %". */
 export function changeText(ratio: number | null | undefined): string {
   if (ratio === null || ratio === undefined || !Number.isFinite(ratio)) return "–";
@@ -45,8 +50,13 @@ export function median(values: number[]): number | null {
   return sorted.length % 2 === 1 ? sorted[middle]! : (sorted[middle - 1]! + sorted[middle]!) / 2;
 }
 
-export function geometricMean(values: number[]): number {
-  if (values.some((value) => value <= 0)) return values.reduce((sum, value) => sum + value, 0) / values.length;
+export function arithmeticMean(values: readonly number[]): number {
+  return values.reduce((sum, value) => sum + value, 0) / values.length;
+}
+
+/** Arithmetic where there is a zero. */
+export function geometricMean(values: readonly number[]): number {
+  if (values.some((value) => value <= 0)) return arithmeticMean(values);
   return Math.exp(values.reduce((sum, value) => sum + Math.log(value), 0) / values.length);
 }
 

@@ -2,7 +2,7 @@
 
 import { type Cells, leadingNumber, numberOf, settingOf, techniqueOf, textOf, type ValueColumn } from "./data.ts";
 import type { Metric } from "./metrics.ts";
-import { extent, geometricMean } from "./numbers.ts";
+import { arithmeticMean, extent, geometricMean } from "./numbers.ts";
 
 /** What stands on the horizontal axis. */
 export interface Abscissa {
@@ -175,7 +175,7 @@ export function lines(cells: Cells, selection: readonly number[], x: Abscissa, c
         ),
         error: mean(
           members.map((cell) => error.of(cells, cell)),
-          (all) => all.reduce((a, b) => a + b, 0) / all.length,
+          arithmeticMean,
         ),
         cells: members,
       }))

@@ -1,6 +1,6 @@
 import { type Cells, settingOf, techniqueOf, viewOf } from "./data.ts";
-import { hitsWithinLimit, type Metric } from "./metrics.ts";
-import { extent, geometricMean } from "./numbers.ts";
+import { hitsWithinLimit, type Metric, worstOf } from "./metrics.ts";
+import { arithmeticMean, geometricMean } from "./numbers.ts";
 
 /** A technique with parameters, over several views. */
 export interface SettingPoint {
@@ -23,21 +23,28 @@ export interface SettingPoints {
   incomplete: number;
 }
 
-/** One point per setting over the views of `selection`. Settings that lack a view are left out, and counted. */
+/**
+ * One point per setting over the views of `selection`. Settings that lack a view, or there one of the figures (those of
+ * `needed` too), are left out, and counted.
+ */
 export function settingPoints(
   cells: Cells,
   selection: readonly number[],
   cost: Metric,
   error: Metric,
   together: Together,
+  needed: readonly Metric[] = [],
 ): SettingPoints {
   const views = new Set<string>();
   const bySetting = new Map<string, number[]>();
   for (const cell of selection) {
     const id = cells.id[cell]!;
     views.add(viewOf(id));
-    if (cost.of(cells, cell) === null || error.of(cells, cell) === null) continue;
     const setting = settingOf(id);
+    if ([cost, error, ...needed].some((metric) => metric.of(cells, cell) === null)) {
+      if (!bySetting.has(setting)) bySetting.set(setting, []);
+      continue;
+    }
     const members = bySetting.get(setting);
     if (members) members.push(cell);
     else bySetting.set(setting, [cell]);
@@ -55,8 +62,8 @@ export function settingPoints(
     points.push({
       setting,
       technique: techniqueOf(cells, members[0]!),
-      cost: mean ? geometricMean(costs) : extent(costs)[1],
-      error: mean ? errors.reduce((sum, value) => sum + value, 0) / errors.length : extent(errors)[1],
+      cost: mean ? geometricMean(costs) : worstOf(cost.better, costs),
+      error: mean ? arithmeticMean(errors) : worstOf(error.better, errors),
       counts: members.every((cell) => hitsWithinLimit(cells, cell)),
       cells: members,
     });

@@ -16,7 +16,7 @@ import { fill, h } from "./dom.ts";
 import { filteredCells, measuredCells } from "./filter.ts";
 import { headerElement } from "./header.ts";
 import { helpDialog } from "./help.ts";
-import { costMetrics, errorMetrics, metricById, metricText } from "./metrics.ts";
+import { costMetrics, errorMetrics, metricById, metricText, usualCost, usualError } from "./metrics.ts";
 import type { Theme } from "./palette.ts";
 import { sidebar } from "./sidebar.ts";
 import { type State, stateFromFragment, stateToFragment } from "./state.ts";
@@ -189,8 +189,8 @@ function pinElement(app: App, shell: Shell): HTMLElement | null {
       ? null
       : h("p", { class: "muted" }, `This run has no cell “${app.state.pin}”.`, unpinButton(app));
   }
-  const cost = metricById(costMetrics(cells), app.state.cost);
-  const error = metricById(errorMetrics(cells), app.state.error);
+  const cost = metricById(costMetrics(app.data.figures, cells), app.state.cost, ...usualCost);
+  const error = metricById(errorMetrics(app.data.figures, cells), app.state.error, ...usualError);
   const id = cells.id[pinned]!;
   const figures = [cost, error].flatMap((metric) =>
     metric === null

@@ -10,6 +10,7 @@ export interface State {
   view: ViewName;
   /** Which of the runs. */
   run: number;
+  /** Paths of figures; "" leaves the choice to the page. */
   cost: string;
   error: string;
   points: PointsMode;
@@ -21,10 +22,10 @@ export interface State {
   techniques: string[];
   /** A cell's id. */
   pin: string;
-  goal: "budget" | "limit";
-  /** In the unit of the cost or of the error; null leaves the choice to the page. */
+  /** Of what advice is for: how much of the cost, in its unit. Null: no budget, or where there are no limits, the page's. */
   budget: number | null;
-  limit: number | null;
+  /** Other limits, by the paths of figures, in the units that the page shows. */
+  limits: Record<string, number>;
   /** Of the charts over an axis: "steps", "axis.<name>" or "param.<name>"; "" leaves the choice to the page. */
   x: string;
   query: string;
@@ -39,16 +40,15 @@ export interface State {
 export const defaultState: Readonly<State> = {
   view: "cost",
   run: 0,
-  cost: "time.draw.median_ms",
-  error: "error.uv_texels.p99",
+  cost: "",
+  error: "",
   points: "cells",
   facet: "",
   filters: {},
   techniques: [],
   pin: "",
-  goal: "budget",
   budget: null,
-  limit: null,
+  limits: {},
   x: "",
   query: "",
   sort: "",
@@ -60,22 +60,21 @@ export const defaultState: Readonly<State> = {
 
 const textKeys = ["cost", "error", "facet", "pin", "x", "query", "sort", "map", "verdict"] as const;
 const listKeys = ["techniques", "columns"] as const;
-const numberKeys = ["budget", "limit"] as const;
 const filterPrefix = "axis.";
+const limitPrefix = "limit.";
 
 /** What differs from the defaults, as a fragment without its "#". */
 export function stateToFragment(state: State): string {
   const fragment = new URLSearchParams();
-  for (const key of ["view", "points", "goal", "mode"] as const) {
+  for (const key of ["view", "points", "mode"] as const) {
     if (state[key] !== defaultState[key]) fragment.set(key, state[key]);
   }
   if (state.run !== defaultState.run) fragment.set("run", String(state.run));
   for (const key of textKeys) {
     if (state[key] !== defaultState[key]) fragment.set(key, state[key]);
   }
-  for (const key of numberKeys) {
-    if (state[key] !== null) fragment.set(key, String(state[key]));
-  }
+  if (state.budget !== null) fragment.set("budget", String(state.budget));
+  for (const [path, bound] of Object.entries(state.limits)) fragment.set(limitPrefix + path, String(bound));
   for (const key of listKeys) {
     for (const value of state[key]) fragment.append(key, value);
   }
@@ -97,23 +96,28 @@ function positive(text: string | null): number | null {
 /** What a fragment does not say, or says wrongly, stays at its default. */
 export function stateFromFragment(text: string): State {
   const fragment = new URLSearchParams(text.replace(/^#/, ""));
-  const state: State = { ...defaultState, filters: {}, techniques: [], columns: [] };
+  const state: State = { ...defaultState, filters: {}, limits: {}, techniques: [], columns: [] };
   state.view = oneOf(fragment.get("view"), viewNames, defaultState.view);
   state.points = oneOf(fragment.get("points"), ["cells", "mean", "worst"], defaultState.points);
-  state.goal = oneOf(fragment.get("goal"), ["budget", "limit"], defaultState.goal);
   state.mode = oneOf(fragment.get("mode"), ["side", "slider", "flip"], defaultState.mode);
   const run = Number(fragment.get("run") ?? 0);
   state.run = Number.isInteger(run) && run >= 0 ? run : 0;
   for (const key of textKeys) state[key] = fragment.get(key) ?? defaultState[key];
-  for (const key of numberKeys) state[key] = positive(fragment.get(key));
+  state.budget = positive(fragment.get("budget"));
   for (const key of listKeys) state[key] = fragment.getAll(key);
   const filters = new Map<string, string[]>();
+  const limits = new Map<string, number>();
   for (const [key, value] of fragment) {
-    if (!key.startsWith(filterPrefix)) continue;
-    const axis = key.slice(filterPrefix.length);
-    filters.set(axis, [...(filters.get(axis) ?? []), value]);
+    const bound = positive(value);
+    if (key.startsWith(filterPrefix)) {
+      const axis = key.slice(filterPrefix.length);
+      filters.set(axis, [...(filters.get(axis) ?? []), value]);
+    } else if (key.startsWith(limitPrefix) && bound !== null) {
+      limits.set(key.slice(limitPrefix.length), bound);
+    }
   }
   state.filters = Object.fromEntries(filters);
+  state.limits = Object.fromEntries(limits);
   return state;
 }
 

@@ -1,6 +1,6 @@
 // Cells for tests of functions that read them.
 
-import type { Cells, Json, ValueColumn } from "../src/data.ts";
+import type { Cells, Figure, Json, ValueColumn } from "../src/data.ts";
 
 export interface SampleCell {
   id: string;
@@ -42,6 +42,33 @@ export function cellsOf(rows: SampleCell[]): Cells {
     numbers: Object.fromEntries([...paths].map((path) => [path, rows.map((row) => row.numbers?.[path] ?? null)])),
   };
 }
+
+function figure(path: string, label: string, unit: string, better: Figure["better"] = "lower"): Figure {
+  return { path, label, unit, better };
+}
+
+/** Some of those that the page's data list. */
+export const figures: Figure[] = [
+  figure("time.draw.median_ms", "Draw time", "ms"),
+  figure("time.draw.mad_ms", "Draw time, MAD", "ms", "neither"),
+  figure("time.ns_per_pixel", "Draw time per covered pixel", "ns"),
+  figure("prepare.bytes", "Memory of maps", "bytes"),
+  figure("work.taps_mean", "Taps per pixel", ""),
+  figure("work.steps_mean", "Steps per pixel", ""),
+  figure("work.unconverged", "Unconverged searches", "fraction of covered pixels"),
+  figure("work.shadow_taps_mean", "Shadow taps per pixel", ""),
+  figure("error.uv_texels.mean", "UV error, mean", "texels"),
+  figure("error.uv_texels.p99", "UV error, p99", "texels"),
+  figure("error.depth.mean", "Depth error, signed mean", "patch sides", "neither"),
+  figure("error.missed", "Missed hits", "fraction of footprint"),
+  figure("error.false_hits", "False hits", "fraction of footprint"),
+  figure("error.coverage_iou", "Intersection over union of the coverage", "", "higher"),
+  figure("error.shadow.mean", "Shadow error, mean", "visibility"),
+  figure("image.flip", "FLIP", ""),
+  figure("image.psnr", "PSNR", "dB", "higher"),
+  figure("image.ssim", "SSIM", "", "higher"),
+  figure("image.rmse", "RMSE of the picture", ""),
+];
 
 /** A measured cell of pom, say, at a view angle. */
 export function measured(

@@ -8,7 +8,7 @@ import { join } from "node:path";
 import { after, afterEach, before, test } from "node:test";
 
 import { openBrowser } from "./browser.mjs";
-import { largeRun, smallRun, unmeasured, writeRun } from "./runs.mjs";
+import { largeRun, measured, shadowRun, smallRun, unmeasured, writeRun } from "./runs.mjs";
 
 const binary = process.argv[2];
 const folder = mkdtempSync(join(tmpdir(), "reliefbench-report-"));
@@ -66,11 +66,18 @@ before(async () => {
     { name: hostile },
   );
   writeRun(join(folder, "empty"), []);
+  writeRun(join(folder, "shadows"), shadowRun());
+  writeRun(
+    join(folder, "even"),
+    ["a", "b"].map((technique, at) => measured({ technique, ms: 1 + at / 100, uv: 1 })),
+  );
   writeRun(join(folder, "large"), largeRun(10_000), { rounds: 3 });
   report("small", "small");
   report("changes", "small", "slower");
   report("troubled", "troubled");
   report("empty", "empty");
+  report("shadows", "shadows");
+  report("even", "even");
   report("large", "large");
   browser = await openBrowser();
   page = await browser.context.newPage();
@@ -168,20 +175,62 @@ test("a wheel zooms into a chart and a double click leads back", async () => {
   await page.waitForFunction((before) => document.querySelector("main .chart canvas").toDataURL() === before, whole);
 });
 
-test("what to use is said in words for a budget and for a limit", async () => {
+test("what to use is said in words for a budget, with what more would buy and what it is the cost of", async () => {
   await open("small", "view=advice&axis.view_angle=60&budget=0.4");
   assert.match(
     await page.textContent(".answer"),
-    /At 60°, within 0\.400 ms.*Use pommax_steps=32: 99 % of its pixels are within 0\.250 texels, in 0\.320 ms/,
+    /At 60°, within 0\.400 ms.*Use pommax_steps=32: FLIP[^0-9]* 0\.00250, in 0\.320 ms/,
   );
-  await page.fill(".amount input", "0.01");
-  assert.match(await page.textContent(".answer"), /Nothing does that.*cheapest takes 0\.0800 ms.*pom/);
-  await page.click("[data-value=limit]");
-  await page.fill(".amount input", "0.1");
   assert.match(
     await page.textContent(".answer"),
-    /at most 0\.100 texels.*Use qdm.*have no error.*in 0\.500 ms.*pommax_steps=128: 1\.28 ms/,
+    /Relief covers 50 % of the picture; 156 ns per covered pixel.*No other technique does it.*0\.500 ms \(1\.6 times the cost\) buys FLIP[^0-9]* 0: qdm.*1 setting more.*Worst of 2 views/,
   );
+  await page.fill("[data-limit='time.draw.median_ms'] input", "0.01");
+  assert.match(
+    await page.textContent(".answer"),
+    /Nothing does that\. Nearest comes pommax_steps=8: draw time 0\.0800 ms and not 0\.0100 ms; FLIP[^0-9]* 0\.0100.*0\.320 ms buys FLIP[^0-9]* 0\.00250/,
+  );
+});
+
+test("several limits hold at once, of any figure, and the address has them", async () => {
+  await open("small", "view=advice&axis.view_angle=60&error=error.uv_texels.p99");
+  await page.fill("[data-limit='error.uv_texels.p99'] input", "0.1");
+  assert.match(
+    await page.textContent(".answer"),
+    /with UV error, p99 at most 0\.100 texels.*Use qdm.*have no error.*in 0\.500 ms.*pommax_steps=128: 99 % of its pixels are within 0\.0625 texels, in 1\.28 ms \(2\.6 times the cost\)/,
+  );
+  await page.selectOption("[aria-label='Limit another figure']", "prepare.bytes");
+  await page.fill("[data-limit='prepare.bytes'] input", "0");
+  assert.match(await page.textContent(".answer"), /Use pommax_steps=128.*memory of maps 0 B.*No other technique/);
+  await page.fill("[data-limit='time.draw.median_ms'] input", "0.9");
+  assert.match(
+    await page.textContent(".answer"),
+    /within 0\.900 ms with UV error.*Nothing does that.*pommax_steps=128: draw time 1\.28 ms and not 0\.900 ms/,
+  );
+  assert.deepEqual([(await fragment()).get("budget"), (await fragment()).get("limit.prepare.bytes")], ["0.9", "0"]);
+});
+
+test("advice says when settings cannot be told apart, and when its error counts relief beyond the quad", async () => {
+  await open("shadows", "view=advice&axis.self_shadow=off&budget=5");
+  assert.match(
+    await page.textContent(".notice"),
+    /FLIP.*: relief beyond the quad counts.*version that had no figures/,
+  );
+  assert.match(await page.textContent(".answer"), /Use pom: .*in 1\.00 ms/);
+  await open("small", "view=advice&axis.view_angle=0&budget=5&limit.image.flip=0.5&limit.image.footprint.flip=0.1");
+  assert.match(await page.textContent(".notice"), /No measured cell of this run has image\.footprint\.flip/);
+  await open("small", "view=advice&axis.view_angle=0&budget=0.5&techniques=qdm");
+  assert.ok(!(await page.isVisible(".notice")));
+  await open("even", "view=advice&budget=5");
+  assert.match(await page.textContent(".answer"), /Use a: .*Cannot be told apart from it: b \(0\.0100, 1\.01 ms\)\./);
+});
+
+test("figures that are better the higher lead a front with their highest, and axes say which way is better", async () => {
+  await open("small", "axis.view_angle=60&axis.heightmap=rock&error=image.psnr");
+  assert.match(await page.textContent(".note"), /Upper left is better/);
+  assert.deepEqual(await texts(".front tbody td:last-child"), ["30.0 dB", "∞ dB"]);
+  await open("small", "axis.view_angle=60&axis.heightmap=rock&error=image.ssim");
+  assert.deepEqual(await texts(".front tbody td:first-child b"), ["pom", "pom", "qdm"]);
 });
 
 test("charts over steps and over the view angle have a line per technique", async () => {
@@ -273,7 +322,7 @@ test("a link leads to the view that it was taken from", async () => {
   await page.waitForSelector(".view-run");
   await open(
     "small",
-    "view=nonsense&run=7&budget=x&pin=gone&axis.nothing=1&facet=__proto__&error=constructor&sort=-valueOf",
+    "view=nonsense&run=7&budget=x&limit.__proto__=1&pin=gone&axis.nothing=1&facet=__proto__&error=constructor&sort=-valueOf",
   );
   assert.match(await page.textContent(".pin-bar"), /no cell “gone”/);
   await page.waitForSelector(".view-cost .chart canvas");

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { logRange, powerText } from "../src/scales.ts";
+import { figureScale, logRange, powerText } from "../src/scales.ts";
 import { bytesText, changeText, geometricMean, median, significant } from "../src/numbers.ts";
 import { addBase, fromPalette, valueOfColour } from "../src/pictures.ts";
 
@@ -42,6 +42,20 @@ test("a logarithmic axis spans the values and has a place for zeros", () => {
   assert.ok(withZero.zero < 0.01);
   assert.ok(logRange([]).min < logRange([]).max);
   assert.ok(logRange([0]).min > 0);
+});
+
+test("what is better the higher it is has a linear axis with a place for infinite values", () => {
+  const scale = figureScale([20, 40, Infinity], "higher");
+  assert.equal(scale.type, "value");
+  assert.ok(scale.min < 20 && scale.min > 10);
+  assert.ok(scale.place(Infinity) === scale.max && scale.max > 40);
+  assert.equal(scale.text(scale.max), "∞");
+  assert.equal(scale.text(30), "30");
+  assert.ok(!figureScale([0.5, 0.9], "higher").endTexts.max);
+  const zeros = figureScale([0, 1], "lower");
+  assert.deepEqual([zeros.type, zeros.text(zeros.place(0))], ["log", "0"]);
+  const single = figureScale([0], "higher");
+  assert.ok(single.min < single.max);
 });
 
 test("powers are written as people write them", () => {

@@ -3,7 +3,8 @@ import { test } from "node:test";
 
 import { paretoFront } from "../src/pareto.ts";
 
-const costs = (points: { cost: number; error: number }[]) => paretoFront(points).map((at) => points[at]!.cost);
+const costs = (points: { cost: number; error: number }[], better: "lower" | "higher" = "lower") =>
+  paretoFront(points, better).map((at) => points[at]!.cost);
 
 test("the front keeps what nothing beats in both, by ascending cost", () => {
   const points = [
@@ -23,11 +24,11 @@ test("equal points are on the front together, and a point as good for more is no
     { cost: 1, error: 3 },
     { cost: 2, error: 2 },
   ];
-  assert.deepEqual(paretoFront(points), [0, 1]);
+  assert.deepEqual(paretoFront(points, "lower"), [0, 1]);
 });
 
 test("no points have no front; an error of 0 ends it", () => {
-  assert.deepEqual(paretoFront([]), []);
+  assert.deepEqual(paretoFront([], "lower"), []);
   assert.deepEqual(
     costs([
       { cost: 1, error: 0 },
@@ -36,6 +37,18 @@ test("no points have no front; an error of 0 ends it", () => {
     ]),
     [0.5, 1],
   );
+});
+
+test("what is better the higher it is leads the front with its highest, an infinite one last", () => {
+  const psnr = [
+    { cost: 1, error: 20 },
+    { cost: 2, error: 18 },
+    { cost: 3, error: 30 },
+    { cost: 4, error: Infinity },
+    { cost: 5, error: Infinity },
+    { cost: 3, error: 25 },
+  ];
+  assert.deepEqual(costs(psnr, "higher"), [1, 3, 4]);
 });
 
 test("the front of many points is that of comparing each with each", () => {
@@ -54,7 +67,7 @@ test("the front of many points is that of comparing each with each", () => {
     );
   const expected = points.map((_, at) => at).filter((at) => !beaten(at));
   assert.deepEqual(
-    paretoFront(points).sort((a, b) => a - b),
+    paretoFront(points, "lower").sort((a, b) => a - b),
     expected,
   );
 });

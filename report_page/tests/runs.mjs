@@ -44,7 +44,17 @@ function idOf(technique, params, axes) {
 const summary = (p99) => ({ mean: p99 / 4, rms: p99 / 3, p50: p99 / 5, p95: p99 / 2, p99, max: 3 * p99 });
 
 /** A measured cell: `ms` of the draw and `uv`, the 99th percentile of its error. */
-export function measured({ technique, params = {}, axes = {}, ms, uv, missed = 0, steps = 8 }) {
+export function measured({
+  technique,
+  params = {},
+  axes = {},
+  ms,
+  uv,
+  missed = 0,
+  steps = 8,
+  shadow = null,
+  outside = 0,
+}) {
   return {
     cell: idOf(technique, params, axes),
     technique,
@@ -63,7 +73,7 @@ export function measured({ technique, params = {}, axes = {}, ms, uv, missed = 0
         outliers: 0,
         lower_quartile_ms: 0.99 * ms,
       },
-      ns_per_pixel: ms * 244,
+      ns_per_pixel: ms * 488,
       stop: "precise",
       throttled_rounds: 0,
     },
@@ -75,7 +85,8 @@ export function measured({ technique, params = {}, axes = {}, ms, uv, missed = 0
       steps_mean: steps,
       steps_p95: steps,
       unconverged: 0,
-      covered_pixels: 4096,
+      covered_pixels: 2048,
+      ...(shadow === null ? {} : { shadow_taps_mean: shadow.taps, shadow_taps_p95: 2 * shadow.taps }),
     },
     pipeline: { fragment_shader_invocations: 4096 },
     executable: {},
@@ -86,8 +97,19 @@ export function measured({ technique, params = {}, axes = {}, ms, uv, missed = 0
       compared: 4096,
       missed,
       false_hits: 0,
-      outside_quad: { pixels: 0, covered: null },
+      outside_quad: { pixels: outside, covered: outside > 0 ? 0 : null },
       coverage_iou: 1,
+      ...(shadow === null
+        ? {}
+        : {
+            shadow: {
+              mean: shadow.error,
+              false_shadow: 0,
+              missed_shadow: 0,
+              compared: 4096,
+              truth_standard_error: null,
+            },
+          }),
     },
     image: { flip: uv / 100, psnr: uv === 0 ? null : 30, ssim: 1 - uv / 1000, rmse: uv / 100 },
   };
@@ -196,6 +218,21 @@ export function smallRun({ slowdown = 1 } = {}) {
         );
       }
       cells.push(measured({ technique: "qdm", params: { leaf: "exact" }, axes, ms: 0.5, uv: 0, steps: 40 }));
+    }
+  }
+  return cells;
+}
+
+/** Two techniques without and with shadows: what they cost and how wrong they are. */
+export function shadowRun() {
+  const shadows = { off: null, hard: { taps: 9, error: 0.25 }, soft: { taps: 5, error: 0.5 } };
+  const cells = [];
+  for (const technique of ["pom", "qdm"]) {
+    for (const [self_shadow, shadow] of Object.entries(shadows)) {
+      const axes = self_shadow === "off" ? {} : { self_shadow };
+      const ms = { off: 1, hard: 3, soft: 2 }[self_shadow] * (technique === "pom" ? 1 : 2);
+      const cell = measured({ technique, axes, ms, uv: 1, shadow, outside: 99 });
+      cells.push({ ...cell, axes: { ...cell.axes, self_shadow } });
     }
   }
   return cells;

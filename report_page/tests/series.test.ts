@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { costMetrics, errorMetrics, metricById } from "../src/metrics.ts";
 import { abscissas, lines, mixesViews, runningParameters } from "../src/series.ts";
-import { cellsOf, measured, type SampleCell } from "./cells.ts";
+import { cellsOf, figures, measured, type SampleCell } from "./cells.ts";
 
 const leaf = (steps: number, kind: string): SampleCell => ({
   ...measured("qdm", steps, 0, steps, 1),
@@ -20,8 +20,8 @@ const cells = cellsOf([
   leaf(32, "linear"),
   leaf(8, "exact"),
 ]);
-const cost = metricById(costMetrics(cells), "time.draw.median_ms")!;
-const error = metricById(errorMetrics(cells), "error.uv_texels.p99")!;
+const cost = metricById(costMetrics(figures, cells), "time.draw.median_ms")!;
+const error = metricById(errorMetrics(figures, cells), "error.uv_texels.p99")!;
 const all = cells.id.map((_, at) => at);
 /** Means of logarithms are not exact. */
 const rounded = (value: number | null) => Number(value!.toPrecision(9));

@@ -14,9 +14,8 @@ test("a state comes back from its fragment as it was", () => {
     filters: { heightmap: ["a b.png", "c&d=e#f"], view_angle: ["60"] },
     techniques: ["pom", "qdm"],
     pin: "pom max_steps=16 | heightmap=größe view_angle=60",
-    goal: "limit",
     budget: 1.5,
-    limit: 0,
+    limits: { "error.uv_texels.p99": 0.5, "image.psnr": 0 },
     x: "axis.view_angle",
     query: "uv<1 -bricks %",
     sort: "-time.draw.median_ms",
@@ -35,11 +34,14 @@ test("the default state is an empty fragment, and the other way round", () => {
 });
 
 test("what a fragment says wrongly stays at its default", () => {
-  const state = stateFromFragment("#view=nope&run=-1&budget=cheap&limit=-3&points=&mode=x&axis.__proto__=1&%E0%A4%A");
+  const state = stateFromFragment(
+    "#view=nope&run=-1&budget=cheap&limit.image.flip=-3&limit.__proto__=1&points=&mode=x&axis.__proto__=1&%E0%A4%A",
+  );
   assert.equal(state.view, "cost");
   assert.equal(state.run, 0);
   assert.equal(state.budget, null);
-  assert.equal(state.limit, null);
+  assert.equal(state.limits["image.flip"], undefined);
+  assert.equal(Object.getPrototypeOf(state.limits), Object.prototype);
   assert.equal(Object.getPrototypeOf(state.filters), Object.prototype);
 });
 

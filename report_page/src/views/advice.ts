@@ -1,87 +1,110 @@
-// What should I use? For a budget or a limit on the error, per view angle: what wins, in words.
+// What should I use? Within a budget and limits on errors, per kind of view: what to use, in words.
 
-import { type Advice, advise, type Goal } from "../advice.ts";
+import {
+  type Advice,
+  advise,
+  budgetOf,
+  adviceGroups,
+  type Candidate,
+  candidates,
+  excess,
+  type Limit,
+  type Question,
+} from "../advice.ts";
 import type { App, View } from "../app.ts";
-import { leadingNumber, sortedValues, textOf, valueText, viewOf } from "../data.ts";
+import { axisValueText, leadingNumber, numberOf, textOf, viewOf } from "../data.ts";
 import { settingElement } from "../describe.ts";
-import { choose, fill, h, segments } from "../dom.ts";
-import { costMetrics, errorMetrics, type Metric, metricById, metricText, metricTitle } from "../metrics.ts";
-import { counted, median, significant } from "../numbers.ts";
-import { type SettingPoint, type SettingPoints, settingPoints } from "../settings.ts";
+import { choose, fill, h } from "../dom.ts";
+import {
+  costMetrics,
+  errorMetrics,
+  type Metric,
+  metricById,
+  metricText,
+  metricTitle,
+  usualCost,
+  usualError,
+  usualQuality,
+} from "../metrics.ts";
+import { counted, extent, median, significant } from "../numbers.ts";
+import { LimitFields } from "./limits.ts";
+
+const mostGroups = 24;
+const mostNamed = 3;
 
 interface Group {
   title: string;
-  points: SettingPoints;
+  all: Candidate[];
+  incomplete: number;
+  views: number;
 }
 
-const angleAxis = "view_angle";
+const sentence = (text: string) => text.slice(0, 1).toUpperCase() + text.slice(1);
 
-/** Settings by view angle, each by its worst view there: a promise must hold in all of them. */
-function groupsOf(app: App, cost: Metric, error: Metric): Group[] {
+function groupTitle(axes: string[], values: (string | null)[]): string {
+  const texts = axes.flatMap((axis, at) => {
+    const value = values[at]!;
+    if (value === null) return [];
+    if (axis !== "view_angle") return [axisValueText(axis, value)];
+    return [leadingNumber(Number(value)) === 0 ? "head-on (0°)" : `at ${value}°`];
+  });
+  const title = texts.join(", ") || "in all views";
+  return sentence(title);
+}
+
+function groupsOf(app: App, question: Question): Group[] {
   const { cells } = app.run();
-  const column = cells.axes[angleAxis];
-  const angles = column ? sortedValues(column).map(valueText) : [];
-  return angles
-    .map((angle) => ({ angle, members: app.measured().filter((cell) => textOf(column, cell) === angle) }))
-    .filter(({ members }) => members.length > 0)
-    .map(({ angle, members }) => ({
-      title: leadingNumber(Number(angle)) === 0 ? "Head-on (0°)" : `At ${angle}°`,
-      points: settingPoints(cells, members, cost, error, "worst"),
-    }));
+  const { axes, groups } = adviceGroups(cells, app.measured());
+  // Where the camera was swept, its angle is what people look for first.
+  const ordered = [...axes].sort((a, b) => Number(b === "view_angle") - Number(a === "view_angle"));
+  return groups.map((group) => ({
+    title: groupTitle(
+      ordered,
+      ordered.map((axis) => group.values[axes.indexOf(axis)]!),
+    ),
+    ...candidates(cells, group.cells, question),
+    views: new Set(group.cells.map((cell) => viewOf(cells.id[cell]!))).size,
+  }));
 }
 
-/** Two significant digits, so that a goal that nobody chose reads well. */
-function rounded(value: number): number {
-  return value === 0 ? 0 : Number(value.toPrecision(2));
-}
-
-function defaultGoal(values: number[]): number {
-  return rounded(median(values.filter((value) => value > 0)) ?? 1);
+/** Two significant digits, so that a budget that nobody chose reads well. */
+function usualBudget(groups: Group[]): number {
+  const costs = groups.flatMap(({ all }) => all.map(({ cost }) => cost)).filter((cost) => cost > 0);
+  return Number((median(costs) ?? 1).toPrecision(2));
 }
 
 export function adviceView(app: App): View {
   const { cells } = app.run();
-  const errors = errorMetrics(cells);
-  const costs = costMetrics(cells);
+  const errors = errorMetrics(app.data.figures, cells);
+  const costs = costMetrics(app.data.figures, cells);
   const options = (metrics: Metric[]) => metrics.map((metric) => ({ value: metric.id, label: metricTitle(metric) }));
-  const goal = segments(
-    "Goal",
-    [
-      { value: "budget", label: "I have a budget" },
-      { value: "limit", label: "The error may be at most" },
-    ],
-    (value) => app.update({ goal: value as "budget" | "limit" }),
-  );
-  const amount = h("input", {
-    attrs: { type: "number", min: 0, step: "any", "aria-label": "How much" },
-    on: {
-      input: () => {
-        const value = amount.value === "" ? null : Number(amount.value);
-        const usable = value !== null && Number.isFinite(value) && value >= 0 ? value : null;
-        app.update(app.state.goal === "budget" ? { budget: usable } : { limit: usable });
-      },
-    },
-  });
-  const unit = h("span", { class: "unit" });
   const cost = choose("Cost", options(costs), "", (value) => app.update({ cost: value, budget: null }));
-  const error = choose("Error", options(errors), "", (value) => app.update({ error: value, limit: null }));
+  const error = choose("Better by", options(errors), "", (value) => app.update({ error: value }));
+  const fields = new LimitFields(app, [...errors, ...costs]);
+  const caution = h("p", { class: "notice" });
   const answers = h("div", { class: "answers" });
+  const more = h("p", { class: "note" });
   const element = h(
     "section",
     { class: "view-advice" },
-    h(
-      "div",
-      { class: "controls" },
-      goal.element,
-      h("label", { class: "amount" }, amount, unit),
-      cost.element,
-      error.element,
-    ),
+    h("div", { class: "controls" }, error.element, cost.element),
+    fields.element,
+    caution,
     answers,
+    more,
     h(
       "p",
       { class: "note" },
-      "A setting counts by its worst view of those shown at that angle, and only where it was measured in all of them. Settings with missed and false hits above 0.5 % of the footprint are no advice: discarding hard pixels wins nothing.",
+      h(
+        "span",
+        {},
+        "There is one answer for each camera, resolution and other axis of the view, and a setting counts by its worst height map and azimuth there, only where it was measured in all of them. Settings with missed and false hits above 0.5 % of the footprint are no advice: discarding hard pixels wins nothing.",
+      ),
+      h(
+        "span",
+        {},
+        "With a budget alone the best within it is advised, or the cheapest of those that are as good; with a limit on an error the cheapest that keeps to all limits. Times are as good as equal where their 95 % intervals overlap; errors are within 0.002 or 2 % (FLIP), 0.05 texels or 5 % (UV), 0.005 or 5 % (others).",
+      ),
     ),
   );
 
@@ -90,60 +113,112 @@ export function adviceView(app: App): View {
     title: "What should I use?",
     element,
     refresh() {
-      const costMetric = metricById(costs, app.state.cost);
-      const errorMetric = metricById(errors, app.state.error);
-      goal.set(app.state.goal);
+      const costMetric = metricById(costs, app.state.cost, ...usualCost);
+      const errorMetric = metricById(errors, app.state.error, ...usualQualityOf(app));
+      caution.hidden = true;
       if (costMetric === null || errorMetric === null) {
         fill(answers, h("p", {}, "No cell of this run was measured, so that there is no advice."));
         return;
       }
       cost.select.value = costMetric.id;
       error.select.value = errorMetric.id;
-      const groups = groupsOf(app, costMetric, errorMetric);
-      const points = groups.flatMap((group) => group.points.points);
-      const target = goalOf(app, points);
-      const wanted = target.kind === "budget" ? target.cost : target.error;
-      if (document.activeElement !== amount) amount.value = String(wanted);
-      unit.textContent = (target.kind === "budget" ? costMetric : errorMetric).unit;
-      fill(answers, ...groups.map((group) => answerElement(app, group, target, costMetric, errorMetric)));
+      const limits: Limit[] = [...errors, ...costs]
+        .filter(({ id }) => id !== costMetric.id && Object.hasOwn(app.state.limits, id))
+        .map((metric) => ({ metric, bound: app.state.limits[metric.id]! }));
+      const ask = (all: Limit[]): Question => ({ cost: costMetric, error: errorMetric, limits: all });
+      const budget = app.state.budget ?? (limits.length > 0 ? null : usualBudget(groupsOf(app, ask([]))));
+      const question = ask(budget === null ? limits : [{ metric: costMetric, bound: budget }, ...limits]);
+      const groups = groupsOf(app, question);
+      fields.refresh(question, budget, usualError);
+      const words = cautionWords(app, errorMetric, [...errors, ...costs]);
+      caution.hidden = words.length === 0;
+      fill(caution, words.join(" "));
+      fill(answers, ...groups.slice(0, mostGroups).map((group) => answerElement(app, group, question)));
+      fill(
+        more,
+        groups.length > mostGroups
+          ? `Showing ${mostGroups} of ${counted(groups.length, "answer")}: filter to see the others.`
+          : null,
+      );
     },
   };
 }
 
-function goalOf(app: App, points: SettingPoint[]): Goal {
-  return app.state.goal === "budget"
-    ? { kind: "budget", cost: app.state.budget ?? defaultGoal(points.map((point) => point.cost)) }
-    : { kind: "limit", error: app.state.limit ?? defaultGoal(points.map((point) => point.error)) };
+/**
+ * Over the footprint, unless some picture has no figures there: what is ranked is alike in all. Runs of version 0.1.0 have
+ * none.
+ */
+function usualQualityOf(app: App): string[] {
+  const { cells } = app.run();
+  const [footprint, whole] = usualQuality;
+  const lacks = app
+    .measured()
+    .some((cell) => numberOf(cells, whole!, cell) !== null && numberOf(cells, footprint!, cell) === null);
+  return lacks ? usualQuality.slice(1) : usualQuality;
 }
 
-function goalWords(goal: Goal, cost: Metric, error: Metric): string {
-  return goal.kind === "budget"
-    ? `within ${metricText(cost, goal.cost)}`
-    : `with an error of at most ${metricText(error, goal.error)}`;
+/** What has to be said of the question: limits that this run cannot keep, and an error that counts what nobody asked for. */
+function cautionWords(app: App, error: Metric, known: readonly Metric[]): string[] {
+  const { cells } = app.run();
+  const unknown = Object.keys(app.state.limits).filter((path) => !known.some(({ id }) => id === path));
+  const words = unknown.map((path) => `No measured cell of this run has ${path}: the limit on it is left out.`);
+  const wholePicture = error.id.startsWith("image.") && !error.id.startsWith("image.footprint.");
+  if (wholePicture && app.measured().some((cell) => numberOf(cells, "error.outside_quad.pixels", cell))) {
+    words.push(`${error.label}: relief beyond the quad counts, too, which no per-pixel technique can draw.`);
+    const footprint = known.some(({ id }) => id.startsWith("image.footprint."));
+    words.push(
+      footprint
+        ? "The figures over the footprint leave it out."
+        : "This run is of a version that had no figures over the footprint.",
+    );
+  }
+  return words;
 }
 
-function answerElement(app: App, group: Group, goal: Goal, cost: Metric, error: Metric): HTMLElement {
-  const advice = advise(group.points.points, goal);
-  const views = new Set(
-    group.points.points.flatMap((point) => point.cells.map((cell) => viewOf(app.run().cells.id[cell]!))),
-  );
+/** Abbreviations keep their capitals. */
+const inSentence = (label: string) =>
+  /^[A-Z][a-z]/.test(label) ? label.slice(0, 1).toLowerCase() + label.slice(1) : label;
+
+const labelled = (metric: Metric, value: number) => `${inSentence(metric.label)} ${metricText(metric, value)}`;
+
+function limitWords({ metric, bound }: Limit): string {
+  return `${inSentence(metric.label)} at ${metric.better === "lower" ? "most" : "least"} ${metricText(metric, bound)}`;
+}
+
+function questionWords(question: Question): string {
+  const { cost, limits } = question;
+  const budget = budgetOf(question);
+  const others = limits.filter((limit) => limit !== budget).map(limitWords);
+  const within = budget ? [`within ${metricText(cost, budget.bound)}`] : [];
+  return [...within, ...(others.length > 0 ? [`with ${others.join(" and ")}`] : [])].join(" ");
+}
+
+function answerElement(app: App, group: Group, question: Question): HTMLElement {
+  const advice = advise(group.all, question);
+  const small = (text: string | null) => (text === null ? null : h("p", { class: "muted small" }, text));
   return h(
     "article",
     { class: "answer" },
-    h("h3", {}, group.title, h("span", { class: "muted" }, `, ${goalWords(goal, cost, error)}`)),
-    ...answerWords(app, advice, goal, cost, error),
-    views.size > 1 ? h("p", { class: "muted small" }, `Worst of ${views.size} views.`) : null,
-    group.points.incomplete > 0
-      ? h(
-          "p",
-          { class: "muted small" },
-          `${counted(group.points.incomplete, "setting")} left out: not measured in all of these views.`,
-        )
-      : null,
+    h("h3", {}, group.title, h("span", { class: "muted" }, `, ${questionWords(question)}`)),
+    ...(advice.winner === null
+      ? nothingWords(app, group, advice.nearest, question)
+      : winnerWords(app, advice, advice.winner, question)),
+    beyondElement(app, advice, question),
+    small(
+      advice.refused > 0
+        ? `${counted(advice.refused, "setting")} more would keep to it, but for missed and false hits above 0.5 % of the footprint.`
+        : null,
+    ),
+    small(group.views > 1 ? `Worst of ${group.views} views.` : null),
+    small(
+      group.incomplete > 0
+        ? `${counted(group.incomplete, "setting")} left out: not measured in all of these views.`
+        : null,
+    ),
   );
 }
 
-function pinnable(app: App, point: SettingPoint): HTMLElement {
+function pinnable(app: App, point: Candidate): HTMLElement {
   return h(
     "button",
     {
@@ -156,49 +231,129 @@ function pinnable(app: App, point: SettingPoint): HTMLElement {
   );
 }
 
-function answerWords(app: App, advice: Advice, goal: Goal, cost: Metric, error: Metric): HTMLElement[] {
-  const { winner, runnerUp, nearest } = advice;
-  if (winner === null) {
-    if (nearest === null) return [h("p", {}, "Nothing here finds enough of its hits to be advised.")];
-    const reach =
-      goal.kind === "budget"
-        ? `the cheapest takes ${metricText(cost, nearest.cost)}`
-        : `the best reaches ${metricText(error, nearest.error)}`;
-    return [h("p", {}, "Nothing does that; ", reach, ": ", pinnable(app, nearest), ".")];
+function nothingWords(app: App, group: Group, nearest: Candidate | null, question: Question): HTMLElement[] {
+  if (group.all.length === 0) {
+    return [h("p", {}, "No setting has all of these figures in all of these views.")];
   }
-  const words = [
-    h(
-      "p",
-      { class: "winner" },
-      "Use ",
-      pinnable(app, winner),
-      `: ${errorWords(error, winner.error)}, ${costWords(cost, winner.cost)}.`,
-    ),
+  if (nearest === null) return [h("p", {}, "Nothing here finds enough of its hits to be advised.")];
+  const missed = question.limits
+    .map((limit, at) => ({ limit, value: nearest.limited[at]! }))
+    .filter(({ limit, value }) => excess(limit, value) > 1)
+    .map(({ limit: { metric, bound }, value }) => `${labelled(metric, value)} and not ${metricText(metric, bound)}`);
+  const error = question.limits.some(({ metric }) => metric.id === question.error.id)
+    ? []
+    : [labelled(question.error, nearest.error)];
+  return [
+    h("p", {}, "Nothing does that. Nearest comes ", pinnable(app, nearest), `: ${[...missed, ...error].join("; ")}.`),
+    shareElement(app, nearest, question),
   ];
-  if (runnerUp !== null) {
-    words.push(
-      h(
-        "p",
-        { class: "runner-up" },
-        "Of the other techniques, the best is ",
-        pinnable(app, runnerUp),
-        `: ${comparedWords(goal, winner, runnerUp, cost, error)}.`,
-      ),
-    );
-  } else {
-    words.push(h("p", { class: "runner-up" }, "No other technique does it."));
-  }
+}
+
+function winnerWords(app: App, advice: Advice, winner: Candidate, question: Question): HTMLElement[] {
+  const { cost, error, limits } = question;
+  const others = limits.flatMap(({ metric }, at) =>
+    metric.id === cost.id || metric.id === error.id ? [] : [labelled(metric, winner.limited[at]!)],
+  );
+  const figures = [errorWords(error, winner.error), ...others].join(", ");
+  const words = [
+    h("p", { class: "winner" }, "Use ", pinnable(app, winner), `: ${figures}, ${costWords(cost, winner.cost)}.`),
+    shareElement(app, winner, question),
+  ];
+  if (advice.asGood.length > 0) words.push(asGoodElement(app, advice.asGood, question));
+  const { runnerUp } = advice;
+  words.push(
+    runnerUp === null
+      ? h("p", { class: "runner-up" }, "No other technique does it.")
+      : h(
+          "p",
+          { class: "runner-up" },
+          "Of the other techniques, the best is ",
+          pinnable(app, runnerUp),
+          `: ${comparedWords(winner, runnerUp, question)}.`,
+        ),
+  );
   return words;
+}
+
+/** A time is worth what it is of: a full screen of relief, or a distant wall. */
+function shareElement(app: App, point: Candidate, { cost }: Question): HTMLElement {
+  const { cells } = app.run();
+  const shares = point.cells.flatMap((cell) => {
+    const covered = numberOf(cells, "work.covered_pixels", cell);
+    const size = /^(\d+)x(\d+)$/.exec(textOf(cells.axes["resolution"], cell) ?? "");
+    return covered === null || size === null ? [] : [covered / (Number(size[1]) * Number(size[2]))];
+  });
+  const times = point.cells.flatMap((cell) => numberOf(cells, "time.ns_per_pixel", cell) ?? []);
+  const [least, most] = extent(shares).map((share) => significant(100 * share, 2));
+  const parts = [
+    ...(shares.length > 0 ? [`relief covers ${least === most ? least : `${least} to ${most}`} % of the picture`] : []),
+    ...(times.length > 0 && cost.id !== "time.ns_per_pixel"
+      ? [`${significant(extent(times)[1])} ns per covered pixel`]
+      : []),
+  ];
+  return h("p", { class: "muted small share" }, `${sentence(parts.join("; "))}.`);
+}
+
+function listed(elements: HTMLElement[]): (HTMLElement | string)[] {
+  return elements.flatMap((element, at) =>
+    at === 0 ? [element] : [at === elements.length - 1 ? " and " : ", ", element],
+  );
+}
+
+function asGoodElement(app: App, asGood: Candidate[], { cost, error }: Question): HTMLElement {
+  const named = asGood
+    .slice(0, mostNamed)
+    .map((point) =>
+      h("span", {}, pinnable(app, point), ` (${metricText(error, point.error)}, ${metricText(cost, point.cost)})`),
+    );
+  const rest = asGood.length - named.length;
+  const others = rest > 0 ? [h("span", {}, `${rest} more`)] : [];
+  return h("p", { class: "as-good" }, "Cannot be told apart from it: ", ...listed([...named, ...others]), ".");
+}
+
+/** What more than the budget would buy. */
+function beyondElement(app: App, advice: Advice, question: Question): HTMLElement | null {
+  if ((advice.winner ?? advice.nearest) === null || budgetOf(question) === null) return null;
+  if (advice.beyond.length === 0) {
+    return h("p", { class: "beyond" }, "Beyond the budget nothing is better.");
+  }
+  return h(
+    "div",
+    { class: "beyond" },
+    h("p", {}, "Beyond the budget:"),
+    h(
+      "ul",
+      {},
+      ...advice.beyond.map((point) =>
+        h("li", {}, `${boughtWords(point, advice.winner, question)}: `, pinnable(app, point)),
+      ),
+    ),
+  );
+}
+
+/** "276 ms (1.5 times the cost) buys UV error, p99 0.095 texels (109 times less)"; without a winner no ratios. */
+function boughtWords(point: Candidate, winner: Candidate | null, { cost, error }: Question): string {
+  const price = metricText(cost, point.cost);
+  const bought = labelled(error, point.error);
+  if (winner === null) return `${price} buys ${bought}`;
+  const less = error.better === "lower" ? lessText(point.error, winner.error) : "";
+  return `${price}${timesText(point.cost, winner.cost, "cost")} buys ${bought}${less}`;
+}
+
+function lessText(value: number, before: number): string {
+  if (value <= 0) return "";
+  const factor = before / value;
+  return factor < 1.5 ? ` (${Math.round(100 * (1 - 1 / factor))} % less)` : ` (${significant(factor, 2)} times less)`;
 }
 
 /** "99 % of its pixels lie within 0.031 texels" */
 function errorWords(error: Metric, value: number): string {
   const percentile = /\.p(\d+)$/.exec(error.id);
-  if (percentile) {
+  if (percentile && error.better === "lower") {
     const bound = value === 0 ? "have no error" : `are within ${metricText(error, value)}`;
     return `${percentile[1]} % of its pixels ${bound}`;
   }
-  return `${error.label} ${metricText(error, value)}`;
+  return labelled(error, value);
 }
 
 function costWords(cost: Metric, value: number): string {
@@ -208,14 +363,13 @@ function costWords(cost: Metric, value: number): string {
 
 /** " (2.7 times the error)" */
 function timesText(value: number, from: number, what: string): string {
-  if (value <= 0 || from <= 0) return "";
+  if (value <= 0 || from <= 0 || !Number.isFinite(value)) return "";
   const times = value / from;
-  return times < 1.05 ? ` (nearly the same ${what})` : ` (${significant(times, 2)} times the ${what})`;
+  if (times > 1 / 1.05 && times < 1.05) return ` (nearly the same ${what})`;
+  return ` (${significant(times, 2)} times the ${what})`;
 }
 
-function comparedWords(goal: Goal, winner: SettingPoint, other: SettingPoint, cost: Metric, error: Metric): string {
-  if (goal.kind === "budget") {
-    return `${metricText(error, other.error)}${timesText(other.error, winner.error, "error")} ${costWords(cost, other.cost)}`;
-  }
-  return `${metricText(cost, other.cost)}${timesText(other.cost, winner.cost, "cost")}, ${errorWords(error, other.error)}`;
+function comparedWords(winner: Candidate, other: Candidate, { cost, error }: Question): string {
+  const errorRatio = error.better === "lower" ? timesText(other.error, winner.error, "error") : "";
+  return `${errorWords(error, other.error)}${errorRatio}, ${costWords(cost, other.cost)}${timesText(other.cost, winner.cost, "cost")}`;
 }

@@ -1,21 +1,31 @@
 // Time and error over steps, view angle, height-map size and every other number that was swept.
 
 import type { App, View } from "../app.ts";
-import { axisStyle, Chart, currentInk, type Ink, type Option, tooltipStyle } from "../chart.ts";
+import { axisStyle, Chart, currentInk, figureAxis, type Ink, type Option, tooltipStyle } from "../chart.ts";
 import { settingElement } from "../describe.ts";
 import { choose, fill, h } from "../dom.ts";
-import { costMetrics, errorMetrics, type Metric, metricById, metricText, metricTitle } from "../metrics.ts";
+import {
+  axisTitle,
+  costMetrics,
+  errorMetrics,
+  type Metric,
+  metricById,
+  metricText,
+  metricTitle,
+  usualCost,
+  usualError,
+} from "../metrics.ts";
 import { counted, extent, significant } from "../numbers.ts";
 import { markOf } from "../palette.ts";
-import { logBase, logRange, powerText } from "../scales.ts";
+import { figureScale, logBase, logRange, powerText } from "../scales.ts";
 import { type Abscissa, abscissas, type Line, type LinePoint, lines, mixesViews } from "../series.ts";
 
 const mostLines = 150;
 
 export function axesView(app: App): View {
   const { cells } = app.run();
-  const errors = errorMetrics(cells);
-  const costs = costMetrics(cells);
+  const errors = errorMetrics(app.data.figures, cells);
+  const costs = costMetrics(app.data.figures, cells);
   const all = abscissas(cells);
   const options = (metrics: Metric[]) => metrics.map((metric) => ({ value: metric.id, label: metricTitle(metric) }));
   const x = choose(
@@ -47,8 +57,8 @@ export function axesView(app: App): View {
     element,
     refresh() {
       const abscissa = all.find(({ id }) => id === app.state.x) ?? all[0];
-      const costMetric = metricById(costs, app.state.cost);
-      const errorMetric = metricById(errors, app.state.error);
+      const costMetric = metricById(costs, app.state.cost, ...usualCost);
+      const errorMetric = metricById(errors, app.state.error, ...usualError);
       if (abscissa === undefined || costMetric === null || errorMetric === null) {
         fill(note, "Nothing that is a number was swept in this run.");
         costChart.element.hidden = errorChart.element.hidden = true;
@@ -90,7 +100,10 @@ function lineOption(
 ): Option {
   const ink = currentInk();
   const points = all.flatMap((line) => line.points);
-  const y = logRange(points.map(of).filter((value): value is number => value !== null));
+  const y = figureScale(
+    points.map(of).filter((value): value is number => value !== null),
+    metric.better,
+  );
   const shownX = points.filter((point) => of(point) !== null).map((point) => point.x);
   const xRange = logRange(shownX);
   const [leastX, greatestX] = extent(shownX);
@@ -98,7 +111,7 @@ function lineOption(
   const room = 0.04;
   return {
     title: {
-      text: metricTitle(metric),
+      text: axisTitle(metric),
       left: 0,
       top: 0,
       textStyle: { color: ink.text, fontFamily: ink.font, fontSize: ink.size * 1.1, fontWeight: 600 },
@@ -113,17 +126,7 @@ function lineOption(
       max: x.scale === "log" ? xRange.max : Number((greatestX + room * span).toPrecision(3)),
       axisLabel: labelStyle(ink, x.scale === "log" ? powerText : (value) => String(Number(value.toPrecision(4)))),
     },
-    yAxis: {
-      ...axisStyle(ink, ""),
-      type: "log",
-      logBase: logBase(y),
-      min: y.min,
-      max: y.max,
-      axisLabel: {
-        ...labelStyle(ink, (value) => (y.hasZero && value === y.min ? "0" : powerText(value))),
-        showMinLabel: y.hasZero,
-      },
-    },
+    yAxis: figureAxis(ink, "", y, true),
     dataZoom: [
       { type: "inside", xAxisIndex: 0, filterMode: "none" },
       { type: "inside", yAxisIndex: 0, filterMode: "none" },
@@ -133,7 +136,7 @@ function lineOption(
       formatter: (parameters: { data?: { line: Line; point: LinePoint } }) =>
         parameters.data ? pointTooltip(app, parameters.data.line, parameters.data.point, x, metric, of) : "",
     },
-    series: all.map((line) => lineSeries(app, ink, line, y.zero, of)),
+    series: all.map((line) => lineSeries(app, ink, line, y.place, of)),
   };
 }
 
@@ -149,7 +152,13 @@ function labelStyle(ink: Ink, formatter: (value: number) => string): object {
   };
 }
 
-function lineSeries(app: App, ink: Ink, line: Line, zero: number, of: (point: LinePoint) => number | null): object {
+function lineSeries(
+  app: App,
+  ink: Ink,
+  line: Line,
+  place: (value: number) => number,
+  of: (point: LinePoint) => number | null,
+): object {
   const mark = markOf(app.position(line.technique), app.theme);
   const pinned = app.pinned();
   return {
@@ -158,7 +167,7 @@ function lineSeries(app: App, ink: Ink, line: Line, zero: number, of: (point: Li
     data: line.points
       .filter((point) => of(point) !== null)
       .map((point) => ({
-        value: [point.x, of(point)! > 0 ? of(point)! : zero],
+        value: [point.x, place(of(point)!)],
         line,
         point,
         ...(point.cells.includes(pinned)

@@ -26,6 +26,8 @@ import {
   metricById,
   metricText,
   metricTitle,
+  usualCost,
+  usualError,
 } from "../metrics.ts";
 import { counted } from "../numbers.ts";
 import { paretoFront } from "../pareto.ts";
@@ -92,14 +94,14 @@ function makePanel(app: App, title: string, members: readonly number[], cost: Me
       ? cellMarks(cells, members, cost, error)
       : settingPoints(cells, members, cost, error, points).points.map((point) => ({ ...point, cell: point.cells[0]! }));
   const counted = marks.filter((mark) => mark.counts);
-  const front = paretoFront(counted).map((at) => marks.indexOf(counted[at]!));
+  const front = paretoFront(counted, error.better).map((at) => marks.indexOf(counted[at]!));
   return { title, marks, front, views };
 }
 
 export function costView(app: App): View {
   const { cells } = app.run();
-  const errors = errorMetrics(cells);
-  const costs = costMetrics(cells);
+  const errors = errorMetrics(app.data.figures, cells);
+  const costs = costMetrics(app.data.figures, cells);
   const options = (metrics: Metric[]) => metrics.map((metric) => ({ value: metric.id, label: metricTitle(metric) }));
   const error = choose("Error", options(errors), "", (value) => app.update({ error: value }));
   const cost = choose("Cost", options(costs), "", (value) => app.update({ cost: value }));
@@ -139,8 +141,8 @@ export function costView(app: App): View {
     title: "Quality against cost",
     element,
     refresh() {
-      const errorMetric = metricById(errors, app.state.error);
-      const costMetric = metricById(costs, app.state.cost);
+      const errorMetric = metricById(errors, app.state.error, ...usualError);
+      const costMetric = metricById(costs, app.state.cost, ...usualCost);
       mode.set(app.state.points);
       facet.select.value = facetOf(app);
       if (errorMetric === null || costMetric === null) {
@@ -155,9 +157,10 @@ export function costView(app: App): View {
         .slice(0, mostPanels)
         .map(([title, members]) => makePanel(app, title, members, costMetric, errorMetric));
       chart.element.hidden = panels.length === 0;
-      chart.element.style.setProperty("--rows", String(panelLayout(panels.length).rows));
-      chart.show(chartOption(app, panels, costMetric, errorMetric, chart.element.clientWidth || usualWidth));
-      fill(note, ...noteTexts(app, panels, all.length).map((text) => h("span", {}, text)));
+      const width = chart.element.clientWidth || Math.min(usualWidth, innerWidth);
+      chart.element.style.setProperty("--rows", String(panelLayout(panels.length, width).rows));
+      chart.show(chartOption(app, panels, costMetric, errorMetric, width));
+      fill(note, ...noteTexts(app, panels, all.length, errorMetric).map((text) => h("span", {}, text)));
       fill(front, panels.length === 1 ? frontTable(app, panels[0]!, costMetric, errorMetric) : null);
     },
   };
@@ -190,7 +193,7 @@ function troubles(app: App): HTMLElement | null {
   );
 }
 
-function noteTexts(app: App, panels: Panel[], wanted: number): string[] {
+function noteTexts(app: App, panels: Panel[], wanted: number, error: Metric): string[] {
   const texts: string[] = [];
   if (panels.length === 0) texts.push("The filter leaves no measured cell.");
   if (wanted > panels.length) texts.push(`Showing ${panels.length} of ${wanted} panels: filter to see the others.`);
@@ -206,8 +209,10 @@ function noteTexts(app: App, panels: Panel[], wanted: number): string[] {
       `Faint: ${hidden} with missed and false hits above 0.5 % of the footprint${where}, whose errors do not count; they are kept off the front.`,
     );
   }
-  if (panels.length > 0)
-    texts.push("Lower left is better. The line is the Pareto front: nothing is both cheaper and better.");
+  if (panels.length > 0) {
+    const corner = error.better === "lower" ? "Lower" : "Upper";
+    texts.push(`${corner} left is better. The line is the Pareto front: nothing is both cheaper and better.`);
+  }
   return texts;
 }
 

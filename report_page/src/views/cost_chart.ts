@@ -1,13 +1,13 @@
 // The scatters of error against cost, one per panel, on shared scales.
 
 import type { App } from "../app.ts";
-import { axisStyle, currentInk, type Ink, type Option, tooltipStyle } from "../chart.ts";
+import { currentInk, figureAxis, type Ink, type Option, tooltipStyle } from "../chart.ts";
 import { settingOf } from "../data.ts";
 import { cellTooltip, settingElement } from "../describe.ts";
 import { h } from "../dom.ts";
-import { type Metric, metricText, metricTitle } from "../metrics.ts";
+import { axisTitle, type Metric, metricText } from "../metrics.ts";
 import { markOf } from "../palette.ts";
-import { logBase, type LogRange, logRange, powerText } from "../scales.ts";
+import { type FigureScale, figureScale } from "../scales.ts";
 
 /** One point of the scatter: a cell, or a setting over several. */
 export interface Mark {
@@ -30,8 +30,12 @@ export interface Panel {
 /** More are drawn smaller. */
 const manyMarks = 1500;
 
-export function panelLayout(count: number): { columns: number; rows: number } {
-  const columns = count <= 3 ? Math.max(1, count) : count === 4 ? 2 : count <= 6 ? 3 : 4;
+/** Pixels that a panel needs across. */
+const leastPanelWidth = 230;
+
+export function panelLayout(count: number, chartWidth: number): { columns: number; rows: number } {
+  const wanted = count <= 3 ? Math.max(1, count) : count === 4 ? 2 : count <= 6 ? 3 : 4;
+  const columns = Math.min(wanted, Math.max(1, Math.floor(chartWidth / leastPanelWidth)));
   return { columns, rows: Math.ceil(count / columns) };
 }
 
@@ -43,23 +47,30 @@ interface PlotDatum {
 
 export function chartOption(app: App, panels: Panel[], cost: Metric, error: Metric, chartWidth: number): Option {
   const ink = currentInk();
-  const { columns, rows } = panelLayout(panels.length);
-  const x = logRange(panels.flatMap((panel) => panel.marks.map((mark) => mark.cost)));
-  const y = logRange(panels.flatMap((panel) => panel.marks.map((mark) => mark.error)));
+  const { columns, rows } = panelLayout(panels.length, chartWidth);
+  const marks = panels.flatMap((panel) => panel.marks);
+  const x = figureScale(
+    marks.map((mark) => mark.cost),
+    cost.better,
+  );
+  const y = figureScale(
+    marks.map((mark) => mark.error),
+    error.better,
+  );
   const grids = panels.map((panel, at) => panelGrid(ink, panel, at, columns, rows, chartWidth));
-  const many = panels.reduce((sum, panel) => sum + panel.marks.length, 0) > manyMarks;
+  const many = marks.length > manyMarks;
   const isLeft = (at: number) => at % columns === 0;
   const isLowest = (at: number) => at + columns >= panels.length;
   return {
     title: grids.map((grid) => grid.title),
     grid: grids.map((grid) => grid.grid),
     xAxis: panels.map((_, at) => ({
-      ...logAxis(ink, isLowest(at) ? metricTitle(cost) : "", x, isLowest(at)),
+      ...figureAxis(ink, isLowest(at) ? axisTitle(cost) : "", x, isLowest(at)),
       nameGap: ink.size * 2.1,
       gridIndex: at,
     })),
     yAxis: panels.map((_, at) => ({
-      ...logAxis(ink, isLeft(at) ? metricTitle(error) : "", y, isLeft(at)),
+      ...figureAxis(ink, isLeft(at) ? axisTitle(error, "\n") : "", y, isLeft(at)),
       nameGap: ink.size * 3.9,
       gridIndex: at,
     })),
@@ -85,7 +96,7 @@ function panelGrid(
   rows: number,
   chartWidth: number,
 ): { title: object; grid: object } {
-  const left = (100 * 6.3 * ink.size) / chartWidth;
+  const left = (100 * 7.6 * ink.size) / chartWidth;
   const bottom = 12 / rows;
   const width = (100 - left - 1) / columns;
   const height = (100 - bottom - 1) / rows;
@@ -117,31 +128,16 @@ function panelGrid(
   };
 }
 
-function logAxis(ink: Ink, name: string, range: LogRange, labelled: boolean): Record<string, unknown> {
-  return {
-    ...axisStyle(ink, name),
-    type: "log",
-    logBase: logBase(range),
-    min: range.min,
-    max: range.max,
-    axisLabel: {
-      color: ink.muted,
-      fontFamily: ink.font,
-      fontSize: ink.size,
-      hideOverlap: true,
-      show: labelled,
-      formatter: (value: number) => (range.hasZero && value === range.min ? "0" : powerText(value)),
-      showMinLabel: range.hasZero,
-      showMaxLabel: false,
-    },
-  };
-}
-
-function panelSeries(app: App, ink: Ink, panel: Panel, at: number, x: LogRange, y: LogRange, many: boolean): object[] {
-  const place = (mark: Mark): [number, number] => [
-    mark.cost > 0 ? mark.cost : x.zero,
-    mark.error > 0 ? mark.error : y.zero,
-  ];
+function panelSeries(
+  app: App,
+  ink: Ink,
+  panel: Panel,
+  at: number,
+  x: FigureScale,
+  y: FigureScale,
+  many: boolean,
+): object[] {
+  const place = (mark: Mark): [number, number] => [x.place(mark.cost), y.place(mark.error)];
   const byTechnique = new Map<string, PlotDatum[]>();
   for (const mark of panel.marks) {
     const datum = {
