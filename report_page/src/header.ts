@@ -34,7 +34,7 @@ function statusButton(app: App, status: string, count: number): HTMLElement | nu
       class: `status ${status}`,
       title: `List the ${status} cells with their reasons`,
       attrs: { type: "button", "data-status": status },
-      on: { click: () => app.update({ view: "cells", query: `status:${status}`, filters: {}, techniques: [] }) },
+      on: { click: () => app.update({ view: "cells", query: `status=${status}`, filters: {}, techniques: [] }) },
     },
     `${count} ${status}`,
   );

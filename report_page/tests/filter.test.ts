@@ -2,7 +2,6 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { filteredCells, measuredCells, reasonGroups } from "../src/filter.ts";
-import { matches, parseQuery } from "../src/query.ts";
 import { sortRows } from "../src/table.ts";
 import { cellsOf, measured } from "./cells.ts";
 
@@ -35,27 +34,6 @@ test("cells that were not measured are told by reason", () => {
       ["skipped", "not here", 1],
     ],
   );
-});
-
-const figures: Record<string, number | null> = { ms: 2, uv: null };
-const found = (query: string) =>
-  matches(parseQuery(query), "pom max_steps=16 | view_angle=60 ok", (name) => figures[name]);
-
-test("words must be there, words after a minus must not, in any case", () => {
-  assert.ok(found(""));
-  assert.ok(found("POM angle=60"));
-  assert.ok(!found("pom qdm"));
-  assert.ok(!found("-pom"));
-  assert.ok(found("max_steps=16 -qdm"));
-});
-
-test("bounds hold a figure; one that is undefined or unknown is within none", () => {
-  assert.ok(found("ms<3"));
-  assert.ok(found("ms>=2 ms<=2"));
-  assert.ok(!found("ms<2"));
-  assert.ok(found("ms<1e3 ms>-1"));
-  assert.ok(!found("uv<9"));
-  assert.ok(!found("nothing<9"));
 });
 
 test("rows sort either way, equal ones keep their order, undefined ones come last", () => {

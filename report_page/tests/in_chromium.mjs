@@ -299,6 +299,24 @@ test("the table sorts, searches and pins", async () => {
   assert.match((await fragment()).get("pin"), /^pom/);
 });
 
+test("the search finds what is at its default, and says which column there is not", async () => {
+  await open("small", "view=cells");
+  const count = async (query) => {
+    await page.fill("#query", query);
+    return Number((await page.textContent("#row-count")).split(" ")[0]);
+  };
+  assert.equal(await count("parallel"), 20);
+  assert.equal(await count("-parallel"), 0);
+  assert.equal(await count("view_angle=0"), 10);
+  assert.equal(await count("technique=pom view_angle=0,60 max_steps>8 heightmap=rock"), 4);
+  assert.equal(await page.textContent(".search-notes"), "");
+  assert.equal(await count("view_angel=60"), 0);
+  assert.match(await page.textContent(".search-notes"), /no column “view_angel”.*Did you mean view_angle=60\?/);
+  await page.click(".search-notes button");
+  assert.equal(await page.inputValue("#query"), "view_angle=60");
+  assert.equal(await page.textContent("#row-count"), "10 cells");
+});
+
 test("what changed between two runs, verdict by verdict", async () => {
   await open("changes", "view=changes");
   assert.match(await page.textContent(".verdicts"), /19compared12slower/);

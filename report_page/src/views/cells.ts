@@ -1,48 +1,58 @@
 // Every cell in a table that sorts and filters.
 
 import type { App, View } from "../app.ts";
-import { type Cells, hasFigure, numberOf, reasonOf, settingOf, statusOf, techniqueOf, viewOf } from "../data.ts";
+import { type Figure, hasFigure, reasonOf, settingOf, statusOf, techniqueOf, viewOf } from "../data.ts";
 import { settingElement } from "../describe.ts";
 import { fill, h } from "../dom.ts";
-import { counted, significant } from "../numbers.ts";
-import { matches, parseQuery } from "../query.ts";
+import { metricTitle, shownFigure, shownUnit } from "../metrics.ts";
+import { counted, figureText } from "../numbers.ts";
+import { type NamedFigure, searchCells, type SearchNote } from "../search.ts";
 import { type Column, sortRows, Table } from "../table.ts";
 
-interface FigureColumn {
-  id: string;
-  title: string;
-  help: string;
-  scale?: number;
-}
-
-/** What is shown unless other columns are chosen. Titles, in one word, are the names that bounds in the search use. */
-const usual: FigureColumn[] = [
-  { id: "time.draw.median_ms", title: "ms", help: "Draw time, median, ms" },
-  { id: "time.draw.mad_ms", title: "± MAD", help: "Median absolute deviation of the draw's samples, ms" },
-  { id: "time.ns_per_pixel", title: "ns/px", help: "Draw time per covered pixel, ns" },
-  { id: "work.taps_mean", title: "taps", help: "Taps per covered pixel, mean" },
-  { id: "prepare.ms", title: "prep", help: "Making the technique's maps, ms" },
-  { id: "error.uv_texels.p50", title: "uv50", help: "UV error, median, texels" },
-  { id: "error.uv_texels.p99", title: "uv", help: "UV error, 99th percentile, texels" },
-  { id: "error.depth.p99", title: "depth", help: "Depth error, 99th percentile, patch sides" },
-  { id: "image.flip", title: "flip", help: "FLIP, mean" },
-  { id: "error.missed", title: "missed", help: "Missed hits, % of the footprint", scale: 100 },
-  { id: "error.false_hits", title: "false", help: "False hits, % of the footprint", scale: 100 },
+/** What is shown unless other columns are chosen: titles, which a search knows too, and the first figure that there is. */
+const usual: [title: string, ...paths: string[]][] = [
+  ["ms", "time.draw.median_ms"],
+  ["± MAD", "time.draw.mad_ms"],
+  ["ns/px", "time.ns_per_pixel"],
+  ["taps", "work.taps_mean"],
+  ["shadow_taps", "work.shadow_taps_mean"],
+  ["prep", "prepare.ms"],
+  ["uv50", "error.uv_texels.p50"],
+  ["uv", "error.uv_texels.p99"],
+  ["depth", "error.depth.p99"],
+  ["flip", "image.footprint.flip", "image.flip"],
+  ["shadow", "error.shadow.mean"],
+  ["missed", "error.missed"],
+  ["false", "error.false_hits"],
 ];
 
-function figureColumn(cells: Cells, figure: FigureColumn): Column<number> {
-  const of = (cell: number) => {
-    const value = numberOf(cells, figure.id, cell);
-    return value === null ? null : (figure.scale ?? 1) * value;
-  };
+interface FigureColumn extends Column<number> {
+  key(cell: number): number | null;
+}
+
+/** Of a number that is no declared figure, only its path is known. */
+function figureColumn(app: App, path: string, title: string): FigureColumn {
+  const { cells } = app.run();
+  const declared = app.data.figures.find((figure) => figure.path === path);
+  const figure: Figure = declared ?? { path, label: path, unit: "", better: "neither" };
+  const of = shownFigure(cells, figure);
+  const metric = { label: figure.label, unit: shownUnit(figure.unit) };
   return {
-    id: figure.id,
-    title: figure.title,
-    help: figure.help,
+    id: path,
+    title,
+    help: `${metricTitle(metric)}: ${path}`,
     number: true,
     key: of,
-    content: (cell) => significant(of(cell)),
+    content: (cell) => figureText(of(cell)),
   };
+}
+
+function usualColumns(app: App): FigureColumn[] {
+  const { cells } = app.run();
+  return usual.flatMap(([title, ...paths]) => {
+    const path = paths.find((each) => hasFigure(cells, each));
+    return path === undefined ? [] : [figureColumn(app, path, title)];
+  });
 }
 
 function wordColumns(app: App): Column<number>[] {
@@ -85,13 +95,14 @@ export function cellsView(app: App): View {
     attrs: {
       id: "query",
       type: "search",
-      placeholder: "pom rock uv<0.5 ms<2 −perspective status:failed",
+      placeholder: "pom rock −perspective view_angle=60 uv<0.5 status=failed",
       "aria-label": "Search",
       spellcheck: false,
     },
     on: { input: () => app.update({ query: query.value }) },
   });
   const count = h("span", { class: "muted", attrs: { id: "row-count" } });
+  const notes = h("div", { class: "search-notes", attrs: { role: "status" } });
   const picker = columnPicker(app);
   const table = new Table<number>({
     label: "Cells",
@@ -114,6 +125,7 @@ export function cellsView(app: App): View {
       "section",
       { class: "view-cells" },
       h("div", { class: "controls" }, query, count, picker),
+      notes,
       table.element,
       h(
         "p",
@@ -121,7 +133,7 @@ export function cellsView(app: App): View {
         h(
           "span",
           {},
-          "Words search; −word leaves out; uv<0.5 bounds a column by its title or by its field (error.uv_texels.p99<0.5).",
+          "Words search technique, status, reason and the values of all axes and parameters, defaults included; −word leaves out. Any axis, parameter or column can be compared: view_angle=0,60 technique=pom max_steps>=32 uv<0.5; a field of cells.jsonl by its path and in its unit there (error.missed<0.001).",
         ),
       ),
     ),
@@ -129,8 +141,10 @@ export function cellsView(app: App): View {
       if (document.activeElement !== query) query.value = app.state.query;
       const figures = figureColumns(app);
       const columns = [...(anyTrouble ? [status] : []), setting, view, ...figures, ...(anyTrouble ? [reason] : [])];
-      const rows = sortRows(matchingCells(app, columns), columns, app.state.sort);
+      const result = searchCells(cells, app.selection(), app.state.query, namedFigures(app, figures));
+      const rows = sortRows(result.found, columns, app.state.sort);
       fill(count, counted(rows.length, "cell"));
+      fill(notes, ...result.notes.map((note) => noteElement(app, note)));
       table.show(rows, columns, app.state.sort);
       const pinned = rows.indexOf(app.pinned());
       if (pinned >= 0) table.reveal(pinned);
@@ -138,38 +152,52 @@ export function cellsView(app: App): View {
   };
 }
 
-function figureColumns(app: App): Column<number>[] {
+function figureColumns(app: App): FigureColumn[] {
   const { cells } = app.run();
-  const chosen = app.state.columns.filter((id) => hasFigure(cells, id));
-  const figures =
-    chosen.length === 0
-      ? usual.filter(({ id }) => hasFigure(cells, id))
-      : chosen.map(
-          (id) =>
-            usual.find((column) => column.id === id) ?? { id, title: id.replace(/^(time|error|work)\./, ""), help: id },
-        );
-  return figures.map((figure) => figureColumn(cells, figure));
+  const chosen = app.state.columns.filter((path) => hasFigure(cells, path));
+  const usualOnes = usualColumns(app);
+  if (chosen.length === 0) return usualOnes;
+  return chosen.map(
+    (path) =>
+      usualOnes.find(({ id }) => id === path) ?? figureColumn(app, path, path.replace(/^(time|error|work)\./, "")),
+  );
 }
 
-function matchingCells(app: App, columns: Column<number>[]): number[] {
-  const { cells } = app.run();
-  // A minus as typographers set it is one, too.
-  const query = parseQuery(app.state.query.replaceAll("−", "-"));
-  return app.selection().filter((cell) => {
-    const text = `${cells.id[cell]!} ${statusOf(cells, cell)} status:${statusOf(cells, cell)} ${reasonOf(cells, cell)}`;
-    return matches(query, text, (name) => {
-      const column = columns.find(({ id, title }) => title.toLowerCase() === name || id === name);
-      if (column === undefined) return numberOf(cells, name, cell);
-      const key = column.key(cell);
-      return typeof key === "number" ? key : null;
-    });
-  });
+/** Titles of columns in one word, those that are not shown included. */
+function namedFigures(app: App, shown: FigureColumn[]): NamedFigure[] {
+  return [...usualColumns(app), ...shown].map(({ title, key }) => ({ name: title.replace("± ", ""), of: key }));
+}
+
+function noteElement(app: App, note: SearchNote): HTMLElement {
+  const { correction } = note;
+  return h(
+    "p",
+    {},
+    note.text,
+    correction === null
+      ? null
+      : h(
+          "span",
+          {},
+          " Did you mean ",
+          h(
+            "button",
+            {
+              class: "link",
+              attrs: { type: "button" },
+              on: { click: () => app.update({ query: correction.query }) },
+            },
+            correction.label,
+          ),
+          "?",
+        ),
+  );
 }
 
 /** Any of the figures that the run has. */
 function columnPicker(app: App): HTMLElement {
   const { cells } = app.run();
-  const shown = () => (app.state.columns.length > 0 ? app.state.columns : usual.map(({ id }) => id));
+  const shown = () => (app.state.columns.length > 0 ? app.state.columns : usualColumns(app).map(({ id }) => id));
   return h(
     "details",
     { class: "picker" },
