@@ -231,11 +231,11 @@ export function axisValueText(axis: string, value: string): string {
   return `${axis.replaceAll("_", " ")} ${value}`;
 }
 
-/** A cell's view by the axes that differ in this run: "rock · 60° · parallel". */
-export function viewLabel(cells: Cells, cell: number): string {
+/** A cell's view by the axes that differ in this run, but for those left out: "rock · 60° · parallel". */
+export function viewLabel(cells: Cells, cell: number, without?: ReadonlySet<string>): string {
   const parts = variedAxes(cells).flatMap((axis) => {
     const text = textOf(cells.axes[axis], cell);
-    return text === null ? [] : [axisValueText(axis, text)];
+    return text === null || without?.has(axis) ? [] : [axisValueText(axis, text)];
   });
   return parts.length > 0 ? parts.join(" · ") : viewOf(cells.id[cell]!) || "the configuration’s only view";
 }

@@ -111,6 +111,8 @@ export function costMetrics(figures: readonly Figure[], cells: Cells): Metric[] 
 export const usualError = ["error.uv_texels.p99"];
 /** Of advice: what is seen decides; over the footprint, over the whole picture, where there are no pictures the hits. */
 export const usualQuality = ["image.footprint.flip", "image.flip", ...usualError];
+/** Where an axis changes no hit: what shadows, depth or filters do to the picture. */
+export const usualErrorOfSameHits = ["error.shadow.mean", "image.footprint.flip", "image.flip"];
 export const usualCost = ["time.draw.median_ms"];
 
 /** The first of these ids that there is, else the first metric; null where there is none at all. */

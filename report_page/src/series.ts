@@ -58,7 +58,7 @@ const units: Record<string, string> = {
   resolution: "pixels",
 };
 
-function axisTitle(axis: string): string {
+export function sweptTitle(axis: string): string {
   const name = axis.replaceAll("_", " ");
   const unit = Object.hasOwn(units, axis) ? units[axis] : undefined;
   return unit === undefined ? name : `${name} (${unit})`;
@@ -79,7 +79,7 @@ export function abscissas(cells: Cells): Abscissa[] {
     });
   }
   for (const [axis, column] of Object.entries(cells.axes)) {
-    if (numericColumn(column)) all.push(columnAbscissa(`axis.${axis}`, axisTitle(axis), column));
+    if (numericColumn(column)) all.push(columnAbscissa(`axis.${axis}`, sweptTitle(axis), column));
   }
   for (const [parameter, column] of Object.entries(cells.params)) {
     if (numericColumn(column)) all.push(columnAbscissa(`param.${parameter}`, parameter, column));
@@ -128,8 +128,8 @@ function followsFrom(cells: Cells, members: readonly number[], main: string, par
   });
 }
 
-/** A line's name: technique and the parameters that stay the same along it. */
-function lineName(cells: Cells, cell: number, along: ReadonlySet<string>): string {
+/** Technique and parameters without those of these names: what stays the same along a line. */
+export function lineName(cells: Cells, cell: number, along: ReadonlySet<string>): string {
   const words = settingOf(cells.id[cell]!).split(" ");
   return words.filter((word, at) => at === 0 || !along.has(word.slice(0, word.indexOf("=")))).join(" ");
 }

@@ -225,6 +225,18 @@ test("advice says when settings cannot be told apart, and when its error counts 
   assert.match(await page.textContent(".answer"), /Use a: .*Cannot be told apart from it: b \(0\.0100, 1\.01 ms\)\./);
 });
 
+test("values of an axis that changes no hit stand beside each other with cost and error", async () => {
+  await open("shadows", "view=axes&x=axis.self_shadow");
+  assert.deepEqual(await texts(".beside .value-head"), ["off", "hard", "soft"]);
+  assert.match(await page.textContent(".beside tbody tr >> nth=1"), /^qdm2\.00–6\.00× 3\.000\.2504\.00× 2\.000\.500$/);
+  assert.match(await page.textContent(".beside tfoot"), /Mean of 2 rows–× 3\.000\.250× 2\.000\.500/);
+  assert.match(await page.textContent(".beside .note"), /The hits are the same at every value/);
+  await page.selectOption(".field select >> nth=1", "work.shadow_taps_mean");
+  assert.match(await page.textContent(".beside tbody tr >> nth=0"), /^pom––9\.00–0\.250/);
+  await page.click(".beside tbody td.number >> nth=2");
+  assert.equal((await fragment()).get("pin"), "pom | self_shadow=hard");
+});
+
 test("figures that are better the higher lead a front with their highest, and axes say which way is better", async () => {
   await open("small", "axis.view_angle=60&axis.heightmap=rock&error=image.psnr");
   assert.match(await page.textContent(".note"), /Upper left is better/);

@@ -1,9 +1,12 @@
-// Time and error over steps, view angle, height-map size and every other number that was swept.
+// Cost and error over steps, view angle and every other number that was swept, and beside each other by values of any axis.
 
 import type { App, View } from "../app.ts";
+import { besideById, besideIds } from "../beside.ts";
 import { axisStyle, Chart, currentInk, figureAxis, type Ink, type Option, tooltipStyle } from "../chart.ts";
+import type { Cells } from "../data.ts";
 import { settingElement } from "../describe.ts";
 import { choose, fill, h } from "../dom.ts";
+import { measuredCells } from "../filter.ts";
 import {
   axisTitle,
   costMetrics,
@@ -14,23 +17,39 @@ import {
   metricTitle,
   usualCost,
   usualError,
+  usualErrorOfSameHits,
 } from "../metrics.ts";
 import { counted, extent, significant } from "../numbers.ts";
 import { markOf } from "../palette.ts";
 import { figureScale, logBase, logRange, powerText } from "../scales.ts";
-import { type Abscissa, abscissas, type Line, type LinePoint, lines, mixesViews } from "../series.ts";
+import { type Abscissa, abscissas, type Line, type LinePoint, lines, mixesViews, sweptTitle } from "../series.ts";
+import { besideTable } from "./beside_table.ts";
 
 const mostLines = 150;
+
+interface Swept {
+  id: string;
+  title: string;
+  /** Null for words: those stand in the table alone. */
+  abscissa: Abscissa | null;
+}
+
+/** Numbers that a chart can stand over, and words whose values can stand beside each other. */
+function sweptOf(cells: Cells, measured: readonly number[]): Swept[] {
+  const numbers = abscissas(cells).map((abscissa) => ({ id: abscissa.id, title: abscissa.label, abscissa }));
+  const words = besideIds(cells, measured).filter((id) => !numbers.some((number) => number.id === id));
+  return [...numbers, ...words.map((id) => ({ id, title: sweptTitle(id.slice(id.indexOf(".") + 1)), abscissa: null }))];
+}
 
 export function axesView(app: App): View {
   const { cells } = app.run();
   const errors = errorMetrics(app.data.figures, cells);
   const costs = costMetrics(app.data.figures, cells);
-  const all = abscissas(cells);
+  const all = sweptOf(cells, measuredCells(cells, [...cells.id.keys()]));
   const options = (metrics: Metric[]) => metrics.map((metric) => ({ value: metric.id, label: metricTitle(metric) }));
   const x = choose(
     "Over",
-    all.map(({ id, label }) => ({ value: id, label })),
+    all.map(({ id, title }) => ({ value: id, label: title })),
     "",
     (value) => app.update({ x: value }),
   );
@@ -42,13 +61,16 @@ export function axesView(app: App): View {
   };
   const costChart = new Chart("Cost over the chosen axis", pin);
   const errorChart = new Chart("Error over the chosen axis", pin);
+  const charts = h("div", { class: "chart-pair" }, costChart.element, errorChart.element);
   const note = h("p", { class: "note" });
+  const table = h("div", {});
   const element = h(
     "section",
     { class: "view-axes" },
     h("div", { class: "controls" }, x.element, cost.element, error.element),
-    h("div", { class: "chart-pair" }, costChart.element, errorChart.element),
+    charts,
     note,
+    table,
   );
 
   return {
@@ -56,22 +78,31 @@ export function axesView(app: App): View {
     title: "Axes",
     element,
     refresh() {
-      const abscissa = all.find(({ id }) => id === app.state.x) ?? all[0];
+      const swept = all.find(({ id }) => id === app.state.x) ?? all[0];
       const costMetric = metricById(costs, app.state.cost, ...usualCost);
-      const errorMetric = metricById(errors, app.state.error, ...usualError);
-      if (abscissa === undefined || costMetric === null || errorMetric === null) {
-        fill(note, "Nothing that is a number was swept in this run.");
-        costChart.element.hidden = errorChart.element.hidden = true;
+      if (swept === undefined || costMetric === null || errors.length === 0) {
+        fill(note, "Nothing was swept in this run.");
+        charts.hidden = true;
         return;
       }
-      x.select.value = abscissa.id;
+      const beside = besideById(cells, app.measured(), swept.id);
+      const usual = beside?.sameHits ? [...usualErrorOfSameHits, ...usualError] : usualError;
+      const errorMetric = metricById(errors, app.state.error, ...usual)!;
+      x.select.value = swept.id;
       cost.select.value = costMetric.id;
       error.select.value = errorMetric.id;
-      const found = lines(cells, app.measured(), abscissa, costMetric, errorMetric);
-      const drawn = found.slice(0, mostLines);
-      costChart.show(lineOption(app, drawn, abscissa, costMetric, (point) => point.cost));
-      errorChart.show(lineOption(app, drawn, abscissa, errorMetric, (point) => point.error));
-      fill(note, ...notes(app, found, abscissa).map((text) => h("span", {}, text)));
+      charts.hidden = swept.abscissa === null;
+      fill(note);
+      if (swept.abscissa !== null) {
+        const found = lines(cells, app.measured(), swept.abscissa, costMetric, errorMetric);
+        const drawn = found.slice(0, mostLines);
+        costChart.show(lineOption(app, drawn, swept.abscissa, costMetric, (point) => point.cost));
+        errorChart.show(lineOption(app, drawn, swept.abscissa, errorMetric, (point) => point.error));
+        fill(note, ...notes(app, found, swept.abscissa).map((text) => h("span", {}, text)));
+      } else if (beside === null) {
+        fill(note, "The filter leaves no two cells that differ in nothing else.");
+      }
+      fill(table, beside === null ? null : besideTable(app, beside, swept.title, costMetric, errorMetric));
     },
   };
 }
