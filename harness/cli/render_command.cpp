@@ -62,8 +62,8 @@ void print_summary(const Cell& cell, const DrawnCell& drawn, const Lighting& lig
     fmt::print(stderr, "{}", format_summary("UV error, texels", errors.uv_texels));
     fmt::print(stderr, "{}", format_summary("depth error", errors.depth));
     fmt::print(stderr, "{}", format_summary("normal error, degrees", errors.normal_deg));
-    fmt::print(stderr, "missed {:.3f} %, false hits {:.3f} % of {} pixels; coverage IoU {:.5f}\n", 100 * errors.missed,
-               100 * errors.false_hits, errors.footprint, errors.coverage_iou);
+    fmt::print(stderr, "missed {:.3f} %, false hits {:.3f} %, ties {:.3f} % of {} pixels; coverage IoU {:.5f}\n",
+               100 * errors.missed, 100 * errors.false_hits, 100 * errors.ties, errors.footprint, errors.coverage_iou);
     if (errors.outside_quad_covered) {
         fmt::print(stderr, "outside the quad: {} pixels of relief, {:.1f} % of them drawn\n",
                    errors.outside_quad_pixels, 100 * *errors.outside_quad_covered);

@@ -71,6 +71,7 @@ CellResult::Errors to_errors(const HitErrors& errors) {
     fields.compared = errors.compared;
     fields.missed = errors.missed;
     fields.false_hits = errors.false_hits;
+    fields.ties = errors.ties;
     fields.outside_quad_pixels = errors.outside_quad_pixels;
     fields.outside_quad_covered = errors.outside_quad_covered;
     fields.coverage_iou = errors.coverage_iou;

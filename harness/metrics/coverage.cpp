@@ -6,13 +6,15 @@
 
 namespace reliefbench {
 
-Image<Coverage> coverage_map(const HitImage& technique, const HitImage& truth, const Image<std::uint8_t>& footprint) {
+Image<Coverage> coverage_map(const HitImage& technique, const HitImage& truth, const FootprintImage& footprint) {
     assert(technique.size == truth.size && footprint.size == truth.size);
     Image<Coverage> map(truth.size);
     for (std::size_t pixel = 0; pixel < map.texels.size(); ++pixel) {
         const bool ours = is_finite_hit(technique.texels[pixel]);
         const bool theirs = truth.texels[pixel].is_hit();
-        if (ours) {
+        if (footprint.texels[pixel] == tie_in_footprint) {
+            map.texels[pixel] = Coverage::tie;
+        } else if (ours) {
             map.texels[pixel] = theirs ? Coverage::both : Coverage::false_hit;
         } else if (theirs) {
             map.texels[pixel] = footprint.texels[pixel] != 0 ? Coverage::missed : Coverage::missed_outside;

@@ -18,9 +18,11 @@ enum class Coverage : std::uint8_t {
     false_hit,
     /// Truth hits outside the footprint, where only real geometry can draw, and the technique does not.
     missed_outside,
+    /// The truth marks the pixel as a tie: whatever the technique answers is no error.
+    tie,
 };
 
-/// `footprint` is not 0 in the pixels of F. Images of equal size.
-Image<Coverage> coverage_map(const HitImage& technique, const HitImage& truth, const Image<std::uint8_t>& footprint);
+/// Images of equal size.
+Image<Coverage> coverage_map(const HitImage& technique, const HitImage& truth, const FootprintImage& footprint);
 
 }  // namespace reliefbench

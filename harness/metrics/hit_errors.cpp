@@ -18,6 +18,7 @@ constexpr std::size_t grain = 4096;
 struct PixelCounts {
     std::size_t missed = 0;
     std::size_t false_hits = 0;
+    std::size_t ties = 0;
     std::size_t covered_outside = 0;
     std::size_t covered_by_both = 0;
     std::size_t covered_by_either = 0;
@@ -28,6 +29,7 @@ void set_coverage(HitErrors& errors, const PixelCounts& counts) {
         const auto footprint = static_cast<double>(errors.footprint);
         errors.missed = static_cast<double>(counts.missed) / footprint;
         errors.false_hits = static_cast<double>(counts.false_hits) / footprint;
+        errors.ties = static_cast<double>(counts.ties) / footprint;
     }
     if (errors.outside_quad_pixels > 0) {
         errors.outside_quad_covered =
@@ -68,7 +70,7 @@ void set_distances(HitErrors& errors, const std::vector<std::size_t>& compared, 
 
 }  // namespace
 
-HitErrors compare_hits(const HitImage& technique, const HitImage& truth, const Image<std::uint8_t>& footprint,
+HitErrors compare_hits(const HitImage& technique, const HitImage& truth, const FootprintImage& footprint,
                        const HeightMap& map, const Relief& relief) {
     assert(technique.size == truth.size && footprint.size == truth.size);
     HitErrors errors;
@@ -76,6 +78,11 @@ HitErrors compare_hits(const HitImage& technique, const HitImage& truth, const I
     std::vector<std::size_t> compared;
     for (std::size_t pixel = 0; pixel < truth.texels.size(); ++pixel) {
         const bool inside = footprint.texels[pixel] != 0;
+        if (footprint.texels[pixel] == tie_in_footprint) {
+            ++errors.footprint;
+            ++counts.ties;
+            continue;
+        }
         const bool ours = is_finite_hit(technique.texels[pixel]);
         const bool theirs = truth.texels[pixel].is_hit();
         if (inside || relief.boundary == Boundary::clip) {

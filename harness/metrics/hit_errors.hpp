@@ -5,14 +5,13 @@
 #include "scene/hit.hpp"
 #include "scene/relief.hpp"
 
-#include <cstdint>
 #include <optional>
 
 namespace reliefbench {
 
 /// Errors of a technique's hits against the truth's, as docs/architecture.md defines them.
 struct HitErrors {
-    /// Over the pixels of the footprint in which both hit; empty when there is none.
+    /// Over the pixels of the footprint in which both hit, ties left out; empty when there is none.
     std::optional<Summary> uv_texels;
     /// t − t_truth, positive = too deep: `mean` is signed, every other statistic is of the magnitude.
     std::optional<Summary> depth;
@@ -22,9 +21,12 @@ struct HitErrors {
     std::size_t compared = 0;
     /// Pixels of the footprint F.
     std::size_t footprint = 0;
-    /// Fractions of F: truth hits and technique does not; technique hits and truth does not. 0 when F is empty.
+    /// Fractions of F: truth hits and technique does not; technique hits and truth does not. 0 when F is empty. Ties are
+    /// neither.
     double missed = 0;
     double false_hits = 0;
+    /// Fraction of F that the truth marks as ties, which take no part in any other figure here.
+    double ties = 0;
     /// Truth hits outside F (only real geometry can draw them): how many, and the fraction of them that the technique
     /// covers. `covered` is empty when there are none.
     std::size_t outside_quad_pixels = 0;
@@ -35,7 +37,7 @@ struct HitErrors {
 };
 
 /// A technique's hit with a number that is not finite (a shader's division by zero) counts as a miss.
-HitErrors compare_hits(const HitImage& technique, const HitImage& truth, const Image<std::uint8_t>& footprint,
+HitErrors compare_hits(const HitImage& technique, const HitImage& truth, const FootprintImage& footprint,
                        const HeightMap& map, const Relief& relief);
 
 }  // namespace reliefbench

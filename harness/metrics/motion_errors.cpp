@@ -67,7 +67,7 @@ Landing land(glm::dvec2 position, glm::dvec3 point, double tolerance, const Trut
         const int y = landing.y + (below ? 1 : 0);
         if (x < 0 || x >= frame.hits.size.width || y < 0 || y >= frame.hits.size.height) continue;
         const Hit& hit = frame.hits.at(x, y);
-        same[i] = frame.footprint.at(x, y) != 0 && hit.is_hit() &&
+        same[i] = frame.footprint.at(x, y) == in_footprint && hit.is_hit() &&
                   glm::distance(surface_point(hit, relief), point) <= tolerance;
         if (!same[i]) continue;
         weights[i] = (right ? fraction.x : 1 - fraction.x) * (below ? fraction.y : 1 - fraction.y);
@@ -145,7 +145,7 @@ TruthMotion follow_truth(const TruthFrame& first, const TruthFrame& second, cons
         for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
             for (int x = 0; x < size.width; ++x) {
                 const Hit& hit = first.hits.at(x, y);
-                if (first.footprint.at(x, y) == 0 || !hit.is_hit()) continue;
+                if (first.footprint.at(x, y) != in_footprint || !hit.is_hit()) continue;
                 const glm::dvec3 point = surface_point(hit, relief);
                 const auto position = second_rays.project(point);
                 const double tolerance = same_surface_spacings * spacing.at(x, y);
@@ -157,7 +157,7 @@ TruthMotion follow_truth(const TruthFrame& first, const TruthFrame& second, cons
         }
     });
     for (std::size_t pixel = 0; pixel < size.pixels(); ++pixel) {
-        const bool shown = first.footprint.texels[pixel] != 0 && first.hits.texels[pixel].is_hit();
+        const bool shown = first.footprint.texels[pixel] == in_footprint && first.hits.texels[pixel].is_hit();
         motion.unseen += shown && !motion.landings.texels[pixel].is_seen() ? 1 : 0;
     }
     return motion;

@@ -18,6 +18,7 @@ namespace {
 constexpr Rgb8 missed_colour{26, 89, 255};
 constexpr Rgb8 missed_outside_colour{0, 191, 217};
 constexpr Rgb8 false_hit_colour{26, 204, 51};
+constexpr Rgb8 tie_colour{150, 110, 60};
 constexpr Rgb8 nothing_colour{77, 77, 77};
 constexpr Rgb8 both_colour{225, 225, 225};
 
@@ -35,6 +36,8 @@ Rgb8 colour_of(Coverage coverage) {
             return missed_outside_colour;
         case Coverage::false_hit:
             return false_hit_colour;
+        case Coverage::tie:
+            return tie_colour;
         case Coverage::both:
             return both_colour;
         case Coverage::neither:
@@ -55,6 +58,7 @@ std::vector<Swatch> swatches_of(const PixelMapScale& scale) {
         swatches.push_back({missed_colour, "missed"});
         swatches.push_back({false_hit_colour, "false hit"});
         swatches.push_back({missed_outside_colour, "relief outside the quad"});
+        swatches.push_back({tie_colour, "tie"});
     }
     if (scale.undefined != PixelMapScale::Undefined::never) swatches.push_back({nothing_colour, "nothing"});
     return swatches;
@@ -99,7 +103,8 @@ Picture map_picture(const PixelMapScale& scale, const Image<float>& values, cons
     Picture picture(values.size);
     for (std::size_t pixel = 0; pixel < values.texels.size(); ++pixel) {
         const float value = values.texels[pixel];
-        if (!scale.marks.empty() && std::isfinite(value)) {
+        const bool is_tie = by_coverage && coverage.texels[pixel] == Coverage::tie;
+        if (!scale.marks.empty() && std::isfinite(value) && !is_tie) {
             picture.texels[pixel] = to_rgb8(magma(scale.position(value)));
         } else {
             picture.texels[pixel] = by_coverage ? colour_of(coverage.texels[pixel]) : nothing_colour;

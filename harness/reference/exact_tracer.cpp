@@ -101,6 +101,9 @@ public:
     /// `above_` is carried from cell to cell and never worked out anew at a border, so whatever rounding does there, a
     /// ray that was above the sheet and is below it has been given a hit in between.
     double run() {
+        if (s_ <= 0 && quadratic(corners()).c <= entry_tolerance) {
+            return 0;
+        }
         const int top = top_level();
         int level = above_ ? top : 0;
         while (s_ < last_) {

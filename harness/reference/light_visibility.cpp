@@ -21,8 +21,9 @@ namespace {
 
 constexpr std::size_t pixels_per_task = 64;
 
-/// How much higher than a point its light's first hit must be to shadow it. Both lie on the surface to about 1e-15.
-constexpr double height_tolerance = 1e-9;
+/// How much higher than a point its light's first hit must be to shadow it. Both lie on the surface to about 1e-15; but
+/// a ray that enters the relief over a plateau has hit it at h = 1 when the surface lies this far below.
+constexpr double height_tolerance = entry_tolerance;
 
 /// Directions within the angular radius of a light, uniform over their solid angle.
 class LightDisc {

@@ -137,13 +137,21 @@ struct MeshTracer::Scene {
     std::string message;
     Device device;
     SceneHandle scene;
-    double height_scale = 1;
+    const HeightMap* map = nullptr;
+    Relief relief;
     bool clip = false;
+
+    /// Of the bilinear surface, which every mesh shares at h = 1: entry_tolerance.
+    bool is_entered_on_surface(double u, double v) const {
+        if (clip && (u < 0 || u > 1 || v < 0 || v > 1)) return false;
+        return map->sample(relief.tiling * u, relief.tiling * v) >= 1 - entry_tolerance;
+    }
 };
 
 MeshTracer::MeshTracer(const HeightMap& map, const View& view, int subdivision, Geometry kind)
     : scene_(std::make_unique<Scene>()) {
-    scene_->height_scale = view.relief.height_scale;
+    scene_->map = &map;
+    scene_->relief = view.relief;
     scene_->clip = view.relief.boundary == Boundary::clip;
     const Extent extent = scene_->clip ? Extent{} : footprint_extent(view);
     const VertexGrid mesh = enclosing_grid(map, view.relief, extent.low, extent.high, subdivision);
@@ -183,6 +191,8 @@ std::optional<ExactHit> MeshTracer::trace(const Ray& ray) const {
     if (!(ray.direction.z < 0)) return std::nullopt;
     // Embree counts in single precision: the shorter the way from the ray's start to the relief, the less is lost.
     const double t_top = -ray.origin.z / ray.direction.z;
+    const glm::dvec3 entry = ray.origin + t_top * ray.direction + glm::dvec3(0.5, 0.5, 0);
+    if (t_top >= 0 && scene_->is_entered_on_surface(entry.x, entry.y)) return ExactHit{entry.x, entry.y, 1, t_top};
     const double t_start = t_top + start_height / ray.direction.z;
 
     TracedRay traced{};
@@ -207,7 +217,7 @@ std::optional<ExactHit> MeshTracer::trace(const Ray& ray) const {
 
     const double t = std::max(t_start + static_cast<double>(query.ray.tfar), t_top);
     const glm::dvec3 point = ray.origin + t * ray.direction;
-    return ExactHit{point.x + 0.5, point.y + 0.5, std::clamp(1 + point.z / scene_->height_scale, 0.0, 1.0), t};
+    return ExactHit{point.x + 0.5, point.y + 0.5, std::clamp(1 + point.z / scene_->relief.height_scale, 0.0, 1.0), t};
 }
 
 }  // namespace reliefbench

@@ -4,6 +4,7 @@
 #include "reference/exact_tracer.hpp"
 #include "reference/mesh_tracer.hpp"
 #include "reference/shading.hpp"
+#include "reference/ties.hpp"
 #include "scene/shading_normal.hpp"
 
 #include <chrono>
@@ -40,27 +41,41 @@ void light(Truth& truth, const HeightMap& map, const Albedo& albedo, const View&
     truth.colour = shade_hits(truth.hits, truth.light_visibility.fractions, map, albedo, view, lighting);
 }
 
-template <typename Tracer>
-Truth trace_hits(const Tracer& tracer, const View& view) {
+/// Calls trace(ray) for every pixel whose hit a truth has, and marks F in the footprint.
+template <typename Trace>
+Truth trace_hits(const View& view, const Trace& trace) {
     Truth truth;
     truth.hits = HitImage(view.resolution);
-    truth.footprint = Image<std::uint8_t>(view.resolution);
+    truth.footprint = FootprintImage(view.resolution);
     const PixelRays rays(view.camera, view.resolution);
     for_each_pixel(view.resolution, [&](int i, int j) {
         const Ray ray = rays.at(i, j);
-        const bool in_footprint = footprint_entry(ray).has_value();
-        truth.footprint.at(i, j) = in_footprint ? 1 : 0;
-        if (!in_footprint && view.relief.boundary == Boundary::repeat) return;
-        if (const auto hit = tracer.trace(ray)) truth.hits.at(i, j) = to_hit(*hit);
+        const bool inside = footprint_entry(ray).has_value();
+        truth.footprint.at(i, j) = inside ? in_footprint : 0;
+        if (!inside && view.relief.boundary == Boundary::repeat) return;
+        if (const auto hit = trace(ray)) truth.hits.at(i, j) = to_hit(*hit);
     });
     return truth;
+}
+
+/// Of the surface itself, whatever the truth was traced with: a mesh's facets have ties of their own, which no
+/// technique shares.
+void mark_ties(Truth& truth, const HeightMap& map, const View& view, const ExactTracer& tracer) {
+    const TieFinder ties(map, view.relief, tracer);
+    const PixelRays rays(view.camera, view.resolution);
+    for_each_pixel(view.resolution, [&](int i, int j) {
+        if (truth.footprint.at(i, j) == 0) return;
+        if (ties.is_tie(rays.at(i, j))) truth.footprint.at(i, j) = tie_in_footprint;
+    });
 }
 
 }  // namespace
 
 Truth trace_exact_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting) {
     const Clock::time_point start = Clock::now();
-    Truth truth = trace_hits(ExactTracer(map, view.relief), view);
+    const ExactTracer tracer(map, view.relief);
+    Truth truth = trace_hits(view, [&](const Ray& ray) { return tracer.trace(ray); });
+    mark_ties(truth, map, view, tracer);
     light(truth, map, albedo, view, lighting);
     truth.trace_ms = milliseconds_since(start);
     return truth;
@@ -69,7 +84,9 @@ Truth trace_exact_truth(const HeightMap& map, const Albedo& albedo, const View& 
 Truth trace_mesh_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting,
                        int subdivision) {
     const Clock::time_point start = Clock::now();
-    Truth truth = trace_hits(MeshTracer(map, view, subdivision), view);
+    const MeshTracer tracer(map, view, subdivision);
+    Truth truth = trace_hits(view, [&](const Ray& ray) { return tracer.trace(ray); });
+    mark_ties(truth, map, view, ExactTracer(map, view.relief));
     light(truth, map, albedo, view, lighting);
     truth.trace_ms = milliseconds_since(start);
     return truth;

@@ -18,8 +18,8 @@ namespace reliefbench {
 struct Truth {
     /// Row 0 is the top.
     HitImage hits;
-    /// 1 inside the footprint F (the ray crosses z = 0 inside the unit square), else 0.
-    Image<std::uint8_t> footprint;
+    /// F: the ray crosses z = 0 inside the unit square. Ties (ties.hpp) are marked.
+    FootprintImage footprint;
     /// Linear RGB, shaded truth; the background colour where there is no hit.
     Image<std::array<float, 3>> colour;
     LightVisibility light_visibility;

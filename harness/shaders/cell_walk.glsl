@@ -87,6 +87,7 @@ float cross_cell(CellRay ray, Place place, Node cell_node) {
     vec4 corners = tap_height_cell(place.cell);
     vec2 corner = ray.origin - vec2(place.cell + place.shift);
     vec3 from = vec3(corner + place.s * ray.direction, 1.0 - place.s);
+    if (place.s == 0.0 && enters_surface(patch_height(corners, from.xy))) return 0.0;
     vec3 to = vec3(corner + cell_node.exit * ray.direction, 1.0 - cell_node.exit);
     return cross_patch(corners, from, to);
 }

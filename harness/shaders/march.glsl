@@ -45,6 +45,7 @@ float layer_count(ReliefRay ray) {
 // thinner, and comes and goes without a jump.
 Crossing find_crossing(ReliefRay ray, float layers) {
     float h = tap_along(ray, 0.0);
+    if (enters_surface(h)) h = 1.0;
     Crossing crossing = Crossing(0.0, h, 0.0, h, 0);
     while (float(crossing.steps) < layers && crossing.h_below < 1.0 - crossing.s_below) {
         crossing.steps += 1;

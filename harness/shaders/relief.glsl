@@ -19,6 +19,12 @@ struct ReliefRay {
     float level;
 };
 
+// A ray that enters the relief over a height of at least 1 - this has hit it there, at s = 0: the mirror of
+// entry_tolerance in harness/scene/relief.hpp. A search that starts with a look at the entry asks enters_surface.
+const float entry_tolerance = 1.0 / 1048576.0;
+
+bool enters_surface(float h) { return h >= 1.0 - entry_tolerance; }
+
 const int trace_miss = 0;
 const int trace_on_ray = 1;
 const int trace_off_ray = 2;

@@ -48,7 +48,8 @@ bool march_to_point(ReliefRay ray, float s_first, float s_point, float s_end) {
     for (int i = 0; i < layers; ++i) {
         float s = mix(s_first, s_point, float(i) / float(layers));
         if (s >= s_end) return false;
-        bool beneath = tap_height(point_on_ray(ray, s)) > 1.0 - s;
+        float h = tap_height(point_on_ray(ray, s));
+        bool beneath = s == 0.0 ? enters_surface(h) : h > 1.0 - s;
         if (above && beneath) return true;
         above = !beneath;
     }

@@ -85,6 +85,7 @@ Json to_json(const CellResult::Errors& errors) {
     json["compared"] = errors.compared;
     json["missed"] = number(errors.missed);
     json["false_hits"] = number(errors.false_hits);
+    json["ties"] = number(errors.ties);
     json["outside_quad"]["pixels"] = errors.outside_quad_pixels;
     json["outside_quad"]["covered"] = number(errors.outside_quad_covered);
     json["coverage_iou"] = number(errors.coverage_iou);
@@ -199,8 +200,8 @@ CellResult::ShadowErrors read_shadow_errors(const JsonView& view) {
 }
 
 CellResult::Errors read_errors(const JsonView& view) {
-    view.require_only({"uv_texels", "depth", "normal_deg", "compared", "missed", "false_hits", "outside_quad",
-                       "coverage_iou", "shadow", "wrong_surface"});
+    view.require_only({"uv_texels", "depth", "normal_deg", "compared", "missed", "false_hits", "ties",
+                       "outside_quad", "coverage_iou", "shadow", "wrong_surface"});
     const JsonView outside_quad = view.at("outside_quad");
     outside_quad.require_only({"pixels", "covered"});
     CellResult::Errors errors;
@@ -210,6 +211,7 @@ CellResult::Errors read_errors(const JsonView& view) {
     errors.compared = count(view.at("compared"));
     errors.missed = view.at("missed").number();
     errors.false_hits = view.at("false_hits").number();
+    if (view.has("ties")) errors.ties = optional_number(view.at("ties"));
     errors.outside_quad_pixels = count(outside_quad.at("pixels"));
     errors.outside_quad_covered = optional_number(outside_quad.at("covered"));
     errors.coverage_iou = view.at("coverage_iou").number();

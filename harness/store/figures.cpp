@@ -123,6 +123,7 @@ constexpr FigureDeclaration declarations[] = {
     {"error.compared", "Pixels compared", pixels, neither, member<&Cell::error, &Errors::compared>},
     {"error.missed", "Missed hits", of_footprint, lower, member<&Cell::error, &Errors::missed>},
     {"error.false_hits", "False hits", of_footprint, lower, member<&Cell::error, &Errors::false_hits>},
+    {"error.ties", "Ties", of_footprint, neither, member<&Cell::error, &Errors::ties>},
     {"error.outside_quad.pixels", "Relief outside the quad", pixels, neither,
      member<&Cell::error, &Errors::outside_quad_pixels>},
     {"error.outside_quad.covered", "Relief outside the quad, covered", "fraction of its pixels", higher,

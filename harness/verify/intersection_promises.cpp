@@ -18,7 +18,8 @@ constexpr double tolerated_pixels = 0.005;
 std::vector<Circumstance> intersection_circumstances() {
     constexpr std::array<double, 4> angles{0, 45, 75, 85};
     constexpr std::array<Resolution, 3> sizes{Resolution{128, 128}, Resolution{96, 160}, Resolution{64, 64}};
-    constexpr std::array<double, 3> azimuths{-90, -67, 25};
+    // Along texel rows, where the surface is straight in each cell, one time in five.
+    constexpr std::array<double, 5> azimuths{-67, 25, -45, 160, -90};
     std::vector<Circumstance> all;
     for (const ProceduralMap& map : procedural_maps()) {
         for (const double angle : angles) {
@@ -28,7 +29,7 @@ std::vector<Circumstance> intersection_circumstances() {
             view.camera.view_angle = angle;
             view.camera.azimuth = azimuths[turn % azimuths.size()];
             view.relief.height_scale = height_scale;
-            view.relief.tiling = turn % 5 == 3 ? 3 : 1;
+            view.relief.tiling = turn % 7 == 3 ? 3 : 1;
             view.relief.boundary = turn % 4 == 2 ? Boundary::repeat : Boundary::clip;
             view.resolution = {96, 96};
             all.push_back({map.name, sizes[turn % sizes.size()], view});
@@ -52,7 +53,7 @@ std::size_t pixels_beyond(const Comparison& comparison, const HeightMap& map, co
     for (int j = 0; j < view.resolution.height; ++j) {
         for (int i = 0; i < view.resolution.width; ++i) {
             const Hit& truth = comparison.truth.hits.at(i, j);
-            if (comparison.truth.footprint.at(i, j) == 0 || !truth.is_hit()) continue;
+            if (comparison.truth.footprint.at(i, j) != in_footprint || !truth.is_hit()) continue;
             const Hit& hit = comparison.probe.hits.at(i, j);
             const double stride = texels_through_relief(view, map, i, j);
             const glm::dvec3 direction = pixel_ray(view.camera, view.resolution, i, j).direction;

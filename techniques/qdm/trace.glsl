@@ -2,8 +2,9 @@
 
 // As published: the chord between the filtered heights at both ends of the node.
 float cross_leaf_linear(ReliefRay ray, Place place, Node node) {
-    float above = 1.0 - place.s - tap_height(point_on_ray(ray, place.s));
-    if (above <= 0.0) return 0.0;
+    float h = tap_height(point_on_ray(ray, place.s));
+    float above = 1.0 - place.s - h;
+    if (above <= 0.0 || (place.s == 0.0 && enters_surface(h))) return 0.0;
     float below = tap_height(point_on_ray(ray, node.exit)) - (1.0 - node.exit);
     return below < 0.0 ? no_crossing : above / (above + below);
 }

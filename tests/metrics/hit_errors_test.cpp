@@ -82,6 +82,20 @@ TEST(HitErrors, MissedAndFalseHitsAreFractionsOfTheFootprint) {
     EXPECT_EQ(errors.coverage_iou, 1.0 / 5);  // one in common of five covered
 }
 
+TEST(HitErrors, TiesAreCountedAndLeftOut) {
+    const Hit hit{0.5F, 0.5F, 0.5F, 1};
+    const Hit far{0.75F, 0.5F, 0.5F, 1};
+    const HitErrors errors = compare_hits(row({hit, far, miss, hit}), row({hit, hit, hit, miss}),
+                                          row_footprint({1, tie_in_footprint, tie_in_footprint, tie_in_footprint}),
+                                          flat_map({4, 4}), Relief{});
+    EXPECT_EQ(errors.footprint, 4U);
+    EXPECT_EQ(errors.ties, 3.0 / 4);
+    EXPECT_EQ(errors.compared, 1U);
+    EXPECT_EQ(errors.uv_texels->max, 0);
+    EXPECT_EQ(errors.missed + errors.false_hits, 0);
+    EXPECT_EQ(errors.coverage_iou, 1);
+}
+
 TEST(HitErrors, TruthOutsideTheFootprintIsCountedApart) {
     const Hit hit{0.5F, 0.5F, 0.5F, 1};
     const Hit far{0.9F, 0.5F, 0.5F, 2};

@@ -238,6 +238,15 @@ TEST(MotionOfTheTruth, EndsWhereThePictureDoes) {
     }
 }
 
+TEST(MotionOfTheTruth, ComparesNoTies) {
+    Pair pair(Projection::perspective);
+    std::fill(pair.first.footprint.texels.begin(), pair.first.footprint.texels.end(), tie_in_footprint);
+    const TruthMotion from_ties = follow_truth(pair.first.truth(), pair.second.truth(), pair.relief);
+    EXPECT_EQ(from_ties.unseen, 0U);
+    for (const Landing& landing : from_ties.landings.texels)
+        EXPECT_FALSE(landing.is_seen());
+}
+
 TEST(MotionChanges, CountWhatIsHitInOneFrameOnly) {
     const Pair pair(Projection::parallel);
     HitImage first = pair.first.hits;

@@ -47,6 +47,13 @@ TEST(ShadowErrors, CompareWhereBothHitWithinTheFootprint) {
     EXPECT_EQ(errors.mean, 0);
 }
 
+TEST(ShadowErrors, LeaveTiesOut) {
+    const ShadowErrors errors = compare({{0, 1, 1}, {1, 1, 1}}, {hit, hit}, {{1, 1, 1}, {1, 1, 1}}, {hit, hit},
+                                        {tie_in_footprint, in_footprint}, {{0, 0, 1}});
+    EXPECT_EQ(errors.compared, 1U);
+    EXPECT_EQ(errors.mean, 0);
+}
+
 TEST(ShadowErrors, CompareEachLightThatTheSurfaceFaces) {
     // The first is right, the second too dark, and the third lights the surface from behind.
     const ShadowErrors errors =

@@ -110,7 +110,7 @@ TEST(ExactTracer, ConstantMapsAreHitWhereThePlaneIs) {
 }
 
 /// A surface that touches h = 1 is hit at the entry only by rays that go below it there.
-TEST(ExactTracer, EntryOnTheSurfaceHitsOnlyGoingBelow) {
+TEST(ExactTracer, EntryOnTheSurfaceIsAHit) {
     // A ridge of h = 1 on texel centre 1, falling to 0 on either side: by one per quarter of the patch.
     Image<float> heights({4, 1}, 0.0f);
     heights.at(1, 0) = 1;
@@ -122,10 +122,15 @@ TEST(ExactTracer, EntryOnTheSurfaceHitsOnlyGoingBelow) {
     ASSERT_TRUE(steep);
     EXPECT_NEAR(steep->t, 0, 1e-15);
     EXPECT_EQ(steep->h, 1);
-    // Flatter: it stays above the flank until the valley, and leaves the patch before reaching its floor.
-    EXPECT_FALSE(tracer.trace({{ridge, 0, 0}, {0.7, 0, -0.05}}));
-    // Flatter, and down to the valley's floor inside the patch.
-    const auto floor = tracer.trace({{ridge, 0, 0}, {0.5, 0, -0.05}});
+    // Flatter than the flank, which it would stay above: it touches the ridge, and that is where it enters.
+    const auto touch = tracer.trace({{ridge, 0, 0}, {0.7, 0, -0.05}});
+    ASSERT_TRUE(touch);
+    EXPECT_EQ(touch->t, 0);
+    // A little beside the ridge it stays above the flank until the valley, and leaves the patch before reaching its
+    // floor, or comes down to it inside the patch.
+    const double beside = ridge + 1e-5;
+    EXPECT_FALSE(tracer.trace({{beside, 0, 0}, {0.7, 0, -0.05}}));
+    const auto floor = tracer.trace({{beside, 0, 0}, {0.5, 0, -0.05}});
     ASSERT_TRUE(floor);
     EXPECT_NEAR(floor->t, 1, 1e-14);
     EXPECT_NEAR(floor->h, 0, 1e-14);

@@ -37,6 +37,7 @@ CellResult full_result() {
     errors.compared = 65000;
     errors.missed = 0.0625;
     errors.false_hits = 0.125;
+    errors.ties = 0.0625;
     errors.outside_quad_pixels = 12;
     errors.outside_quad_covered = 0.5;
     errors.coverage_iou = 0.9;
@@ -72,7 +73,7 @@ TEST(CellResultJson, HasEveryFieldWhereTheFormatSays) {
             "uv_texels": {"mean": 0.1, "rms": 0.2, "p50": 0.05, "p95": 0.5, "p99": 1e-300, "max": 3.0},
             "depth": {"mean": -0.001, "rms": 0.002, "p50": 0.0005, "p95": 0.005, "p99": 0.01, "max": 0.03},
             "normal_deg": {"mean": 1.0, "rms": 2.0, "p50": 3.0, "p95": 4.0, "p99": 5.0, "max": 6.0},
-            "compared": 65000, "missed": 0.0625, "false_hits": 0.125,
+            "compared": 65000, "missed": 0.0625, "false_hits": 0.125, "ties": 0.0625,
             "outside_quad": {"pixels": 12, "covered": 0.5},
             "coverage_iou": 0.9, "wrong_surface": 0.003,
             "shadow": {"mean": 0.02, "false_shadow": 0.01, "missed_shadow": 0.015, "compared": 64000,
@@ -124,9 +125,11 @@ TEST(CellResultJson, RunsFromBeforeShadowsAndObjectsAreRead) {
     json["work"].erase("shadow_taps_p95");
     json["error"].erase("shadow");
     json["error"].erase("wrong_surface");
+    json["error"].erase("ties");
     const CellResult result = parse_cell_result(json, "cells.jsonl");
     EXPECT_FALSE(result.work->shadow_taps_mean);
     EXPECT_FALSE(result.error->shadow);
+    EXPECT_FALSE(result.error->ties);
 }
 
 TEST(CellResultJson, WhatIsUndefinedIsNullAndReadsBackEmpty) {
