@@ -8,6 +8,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <filesystem>
 #include <set>
 
@@ -229,6 +230,17 @@ TEST(ShippedConfigurations, QuickHasAtLeastSixtyCellsAndBothProjections) {
         EXPECT_EQ(cell.skip_reason, "");
     }
     EXPECT_EQ(projections.size(), 2U);
+}
+
+/// Along texel rows the surface is straight within each cell, which flatters refinements.
+TEST(ShippedConfigurations, SeeTheReliefOffItsAxes) {
+    for (const char* name : {"smoke.json", "quick.json", "quality_vs_cost.json"}) {
+        for (const Cell& cell : expand_shipped(name)) {
+            const Camera& camera = cell.view.view.camera;
+            if (camera.projection == Projection::perspective || camera.view_angle == 0) continue;
+            EXPECT_NE(std::fmod(camera.azimuth, 90), 0) << name << ": " << cell.id;
+        }
+    }
 }
 
 TEST(ShippedConfigurations, QualityVersusCostSkipsNothing) {

@@ -1,0 +1,75 @@
+#include "report/cautions.hpp"
+
+#include "report/quality_cost.hpp"
+#include "report/text_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace reliefbench {
+
+namespace {
+
+/// Of the footprint.
+constexpr double many_ties = 0.01;
+
+/// Nothing where the axis is none of the cell's.
+Json axis(const CellResult& cell, const char* name) {
+    const auto found = cell.axes.find(name);
+    return found == cell.axes.end() ? Json(nullptr) : *found;
+}
+
+bool is_head_on(const CellResult& cell) {
+    return axis(cell, "view_angle") == 0.0;
+}
+
+/// Of a perspective view no more than a line of pixels is.
+bool has_rays_along_texels(const CellResult& cell) {
+    const Json azimuth = axis(cell, "azimuth");
+    return axis(cell, "projection") == "parallel" && azimuth.is_number() && std::fmod(azimuth.get<double>(), 90.0) == 0;
+}
+
+std::string caution_of_ties(const std::vector<CellResult>& cells) {
+    std::set<std::string> views;
+    std::pair<double, std::string> most;
+    for (const CellResult& cell : cells) {
+        if (!cell.error || cell.error->ties.value_or(0) <= many_ties) continue;
+        const std::string view = split_cell_id(cell.cell).second;
+        views.insert(view);
+        most = std::max(most, {*cell.error->ties, view});
+    }
+    if (views.empty()) return "";
+    return fmt::format(
+        "in {} more than 1 % of the footprint are ties (up to {}: {:.2g} %), rays that only touch the surface and that "
+        "no "
+        "error counts; the pixels lie on edges of texels: change the resolution or the azimuth a little",
+        counted(views.size(), "view"), most.second.empty() ? "the default view" : most.second, 100 * most.first);
+}
+
+std::string caution_of_axes(const std::vector<CellResult>& cells) {
+    bool any = false;
+    for (const CellResult& cell : cells) {
+        if (!cell.error || is_head_on(cell)) continue;
+        if (!has_rays_along_texels(cell)) return "";
+        any = true;
+    }
+    if (!any) return "";
+    return "all rays run along rows or columns of texels, where the surface is straight within each texel: errors of "
+           "refinements come out too small; add views off the axes (-a azimuth=-67,-45)";
+}
+
+}  // namespace
+
+std::vector<std::string> cautions(const std::vector<CellResult>& cells) {
+    std::vector<std::string> all;
+    for (std::string text : {caution_of_ties(cells), caution_of_axes(cells)}) {
+        if (!text.empty()) all.push_back(std::move(text));
+    }
+    return all;
+}
+
+}  // namespace reliefbench
