@@ -65,8 +65,36 @@ void all_image_errors(benchmark::State& state) {
     const Image<Colour> first = waves(0);
     const Image<Colour> second = waves(0.4F);
     const HitImage hits(size, Hit{0.5F, 0.5F, 0.5F, 1.0F});
+    const Image<std::uint8_t> everywhere(size, 1);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(compare_images(first, hits, second, hits));
+        benchmark::DoNotOptimize(compare_images(first, hits, second, hits, {everywhere, {}}));
+    }
+    report(state);
+}
+
+/// As a patch seen at 60°: a trapezium of a fifth of the picture, and beyond its far side relief that it does not have.
+void image_errors_of_a_patch(benchmark::State& state) {
+    constexpr Colour background{0.02F, 0.02F, 0.03F};
+    Image<std::uint8_t> inside(size);
+    HitImage technique_hits(size);
+    HitImage truth_hits(size);
+    for (int y = 260; y < 800; ++y) {
+        const int half = 420 + (y - 260) / 2;
+        for (int x = size.width / 2 - half; x < size.width / 2 + half; ++x) {
+            truth_hits.at(x, y) = Hit{0.5F, 0.5F, 0.5F, 1.0F};
+            if (y < 300) continue;
+            technique_hits.at(x, y) = truth_hits.at(x, y);
+            inside.at(x, y) = 1;
+        }
+    }
+    Image<Colour> technique = waves(0);
+    Image<Colour> truth = waves(0.4F);
+    for (std::size_t pixel = 0; pixel < size.pixels(); ++pixel) {
+        if (!technique_hits.texels[pixel].is_hit()) technique.texels[pixel] = background;
+        if (!truth_hits.texels[pixel].is_hit()) truth.texels[pixel] = background;
+    }
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(compare_images(technique, technique_hits, truth, truth_hits, {inside, background}));
     }
     report(state);
 }
@@ -90,6 +118,7 @@ int main(int argc, char** argv) {
     reliefbench::add("flip", reliefbench::flip);
     reliefbench::add("ssim_of_one_channel", reliefbench::ssim_of_one_channel);
     reliefbench::add("all_image_errors", reliefbench::all_image_errors);
+    reliefbench::add("image_errors_of_a_patch", reliefbench::image_errors_of_a_patch);
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     benchmark::RunSpecifiedBenchmarks();

@@ -37,8 +37,9 @@ HitErrors hit_errors_of(const DrawnCell& drawn) {
     return compare_hits(drawn.probe.hits, drawn.truth.hits, drawn.truth.footprint, drawn.map, drawn.relief);
 }
 
-ImageErrors image_errors_of(const DrawnCell& drawn) {
-    return compare_images(drawn.probe.colour, drawn.probe.hits, drawn.truth.colour, drawn.truth.hits);
+ImageComparison image_errors_of(const DrawnCell& drawn) {
+    return compare_images(drawn.probe.colour, drawn.probe.hits, drawn.truth.colour, drawn.truth.hits,
+                          {drawn.truth.footprint, drawn.truth.background});
 }
 
 }  // namespace reliefbench

@@ -36,6 +36,6 @@ private:
 };
 
 HitErrors hit_errors_of(const DrawnCell& drawn);
-ImageErrors image_errors_of(const DrawnCell& drawn);
+ImageComparison image_errors_of(const DrawnCell& drawn);
 
 }  // namespace reliefbench

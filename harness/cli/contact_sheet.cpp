@@ -4,6 +4,7 @@
 #include "core/log.hpp"
 #include "manifest/parameter_json.hpp"
 #include "measure/cell_figures.hpp"
+#include "metrics/window.hpp"
 #include "picture/map_picture.hpp"
 #include "picture/sheet.hpp"
 
@@ -79,7 +80,7 @@ std::vector<std::string> in_lines(const std::vector<std::string>& list, std::siz
 
 std::vector<std::string> figures_of(const DrawnCell& drawn) {
     const HitErrors errors = hit_errors_of(drawn);
-    const ImageErrors image = image_errors_of(drawn);
+    const ImageErrors image = image_errors_of(drawn).footprint;
     const std::optional<CellResult::Work> work = summarize_work(drawn.probe);
     std::vector<std::string> lines;
     lines.push_back(errors.uv_texels ? fmt::format("UV error p99 {:.3g}, p50 {:.2g} texels", errors.uv_texels->p99,
@@ -145,23 +146,13 @@ std::vector<Picture> pictures_of(const std::vector<Shown>& shown, const DrawnCel
 
 Rectangle relief_rectangle(const Truth& truth) {
     constexpr int margin = 4;
-    const Resolution size = truth.hits.size;
-    int left = size.width, right = -1, top = size.height, bottom = -1;
-    for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) {
-            if (truth.footprint.at(x, y) == 0 && !truth.hits.at(x, y).is_hit()) continue;
-            left = std::min(left, x);
-            right = std::max(right, x);
-            top = std::min(top, y);
-            bottom = std::max(bottom, y);
-        }
+    Image<std::uint8_t> relief = truth.footprint;
+    for (std::size_t pixel = 0; pixel < relief.texels.size(); ++pixel) {
+        if (truth.hits.texels[pixel].is_hit()) relief.texels[pixel] = 1;
     }
-    if (right < 0) return {0, 0, size};
-    left = std::max(0, left - margin);
-    top = std::max(0, top - margin);
-    right = std::min(size.width - 1, right + margin);
-    bottom = std::min(size.height - 1, bottom + margin);
-    return {left, top, {right - left + 1, bottom - top + 1}};
+    const Window window = window_around(relief, margin);
+    if (window.size.pixels() == 0) return {0, 0, relief.size};
+    return {window.left, window.top, window.size};
 }
 
 Sheet make_contact_sheet(const std::vector<Cell>& cells, const std::vector<Shown>& shown, CellDrawing& drawing,

@@ -32,6 +32,14 @@ std::string format_summary(const std::string& quantity, const std::optional<Summ
                        summary->p99, summary->max);
 }
 
+void print_image_errors(const char* what, const ImageErrors& errors) {
+    const auto text = [](const std::optional<double>& value, const char* unit) {
+        return value ? fmt::format("{:.4g}{}", *value, unit) : "undefined";
+    };
+    fmt::print(stderr, "{}: RMSE {}, PSNR {}, SSIM {}, FLIP {}\n", what, text(errors.rmse, ""),
+               text(errors.psnr, " dB"), text(errors.ssim, ""), text(errors.flip, ""));
+}
+
 /// Of what only some scenes have.
 void print_scene_errors(const Cell& cell, const DrawnCell& drawn, const Lighting& lighting) {
     if (cell.view.view.self_shadow.mode != SelfShadow::Mode::off) {
@@ -50,7 +58,7 @@ void print_scene_errors(const Cell& cell, const DrawnCell& drawn, const Lighting
 
 void print_summary(const Cell& cell, const DrawnCell& drawn, const Lighting& lighting) {
     const HitErrors errors = hit_errors_of(drawn);
-    const ImageErrors image = image_errors_of(drawn);
+    const ImageComparison image = image_errors_of(drawn);
     fmt::print(stderr, "{}\n", cell.id);
     if (const std::optional<CellResult::Work> work = summarize_work(drawn.probe)) {
         fmt::print(stderr,
@@ -68,11 +76,8 @@ void print_summary(const Cell& cell, const DrawnCell& drawn, const Lighting& lig
         fmt::print(stderr, "outside the quad: {} pixels of relief, {:.1f} % of them drawn\n",
                    errors.outside_quad_pixels, 100 * *errors.outside_quad_covered);
     }
-    const auto format_figure = [](const std::optional<double>& value, const char* unit) {
-        return value ? fmt::format("{:.4g}{}", *value, unit) : "undefined";
-    };
-    fmt::print(stderr, "picture: RMSE {}, PSNR {}, SSIM {}, FLIP {}\n", format_figure(image.rmse, ""),
-               format_figure(image.psnr, " dB"), format_figure(image.ssim, ""), format_figure(image.flip, ""));
+    print_image_errors("picture, over the footprint", image.footprint);
+    print_image_errors("picture, with what lies beyond the quad", image.whole);
     print_scene_errors(cell, drawn, lighting);
 }
 

@@ -78,13 +78,10 @@ CellResult::Errors to_errors(const HitErrors& errors) {
     return fields;
 }
 
-CellResult::ImageFields to_image_fields(const ImageErrors& errors) {
-    CellResult::ImageFields fields;
-    fields.flip = errors.flip;
-    fields.psnr = errors.psnr;
-    fields.ssim = errors.ssim;
-    fields.rmse = errors.rmse;
-    return fields;
+CellResult::ImageFields to_image_fields(const ImageComparison& comparison) {
+    const auto& [whole, footprint] = comparison;
+    return {whole.flip, whole.psnr, whole.ssim, whole.rmse,
+            CellResult::FootprintFields{footprint.flip, footprint.psnr, footprint.ssim, footprint.rmse}};
 }
 
 PassTiming summarize_timing(const std::vector<std::vector<double>>& rounds, int repeats) {

@@ -23,7 +23,7 @@ void add_shadow_work(CellResult::Work& work, const Probe& probe);
 
 CellResult::Errors to_errors(const HitErrors& errors);
 CellResult::ShadowErrors to_shadow_errors(const ShadowErrors& errors, const LightVisibility& truth);
-CellResult::ImageFields to_image_fields(const ImageErrors& errors);
+CellResult::ImageFields to_image_fields(const ImageComparison& comparison);
 
 /// Needs at least one round, each with a sample. Samples of one round are not independent of each other: the median and
 /// its interval are over the rounds' medians.

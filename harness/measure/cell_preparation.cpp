@@ -115,7 +115,8 @@ PreparedOrSkipped prepare_cell(const gpu::Device& device, const Technique& techn
         result.error->shadow = to_shadow_errors(shadow, truth.light_visibility);
     }
     if (truth.front) result.error->wrong_surface = wrong_surface(*probe.front, *truth.front, truth.footprint);
-    result.image = to_image_fields(compare_images(probe.colour, probe.hits, truth.colour, truth.hits));
+    result.image = to_image_fields(
+        compare_images(probe.colour, probe.hits, truth.colour, truth.hits, {truth.footprint, truth.background}));
     return {PreparedCell{std::move(renderer), std::move(result), std::move(preparation), std::move(probe)}, {}};
 }
 

@@ -1,7 +1,6 @@
 #include "measure/pictures.hpp"
 
 #include "metrics/error_maps.hpp"
-#include "metrics/flip.hpp"
 #include "metrics/image_errors.hpp"
 #include "picture/map_picture.hpp"
 
@@ -50,9 +49,9 @@ Image<float> pixel_map(PixelMap map, const DrawnCell& cell) {
         case PixelMap::normal_error:
             return normal_error_map(probe.hits, truth.hits, heights, relief);
         case PixelMap::flip:
-            return flip_map(probe.colour, truth.colour);
+            return footprint_flip_map(probe.colour, truth.colour, {truth.footprint, truth.background});
         case PixelMap::ssim:
-            return colour_ssim_map(probe.colour, truth.colour);
+            return footprint_ssim_map(probe.colour, truth.colour, {truth.footprint, truth.background});
         case PixelMap::taps:
             return taps_map(probe);
         case PixelMap::coverage:

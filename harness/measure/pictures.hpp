@@ -19,7 +19,8 @@ struct DrawnCell {
 };
 
 /// A value per pixel; not a number where it is undefined: errors of hits where not both hit, taps where no fragment of
-/// the technique ran (those of vertex and tessellation stages are spread over covered pixels).
+/// the technique ran (those of vertex and tessellation stages are spread over covered pixels), FLIP and SSIM outside
+/// the footprint.
 Image<float> pixel_map(PixelMap map, const DrawnCell& cell);
 
 /// In the colours of the map's scale, without a legend.

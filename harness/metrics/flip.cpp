@@ -37,6 +37,10 @@ void compare(const flip::SeenRow& first, const flip::SeenRow& second, float c_ma
 
 }  // namespace
 
+int flip_reach(double pixels_per_degree) {
+    return static_cast<int>(flip::make_filters(pixels_per_degree).radius);
+}
+
 Image<float> flip_map(const Image<std::array<float, 3>>& first, const Image<std::array<float, 3>>& second,
                       double pixels_per_degree) {
     assert(first.size == second.size);

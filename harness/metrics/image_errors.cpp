@@ -3,102 +3,163 @@
 #include "core/parallel.hpp"
 #include "metrics/flip.hpp"
 #include "metrics/ssim.hpp"
+#include "metrics/window.hpp"
 #include "scene/colour.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <vector>
+#include <cstdint>
+#include <limits>
 
 namespace reliefbench {
 
 namespace {
 
 using Colours = Image<std::array<float, 3>>;
+using Mask = Image<std::uint8_t>;
 constexpr std::size_t channels = 3;
 
-/// Indices of the pixels that either covers.
-std::vector<std::size_t> covered_by_either(const HitImage& first, const HitImage& second) {
-    std::vector<std::size_t> pixels;
-    for (std::size_t pixel = 0; pixel < first.texels.size(); ++pixel) {
-        if (first.texels[pixel].is_hit() || second.texels[pixel].is_hit()) pixels.push_back(pixel);
+Mask covered_by_either(const HitImage& first, const HitImage& second) {
+    Mask mask(first.size);
+    for (std::size_t pixel = 0; pixel < mask.texels.size(); ++pixel) {
+        mask.texels[pixel] = first.texels[pixel].is_hit() || second.texels[pixel].is_hit() ? 1 : 0;
     }
-    return pixels;
+    return mask;
 }
 
-/// Red, green and blue, encoded to sRGB.
-using EncodedChannels = std::array<Image<double>, channels>;
-
-EncodedChannels encoded_channels(const Colours& linear) {
+/// One channel, encoded to sRGB.
+Image<double> encoded_channel(const Colours& linear, std::size_t channel) {
     constexpr std::size_t pixels_at_once = 1 << 14;
-    EncodedChannels encoded;
-    encoded.fill(Image<double>(linear.size));
+    Image<double> encoded(linear.size);
     parallel_for(linear.texels.size(), pixels_at_once, [&](std::size_t begin, std::size_t end) {
         for (std::size_t pixel = begin; pixel < end; ++pixel) {
-            for (std::size_t channel = 0; channel < channels; ++channel) {
-                encoded[channel].texels[pixel] = srgb_encode(linear.texels[pixel][channel]);
-            }
+            encoded.texels[pixel] = srgb_encode(linear.texels[pixel][channel]);
         }
     });
     return encoded;
 }
 
-/// The mean of the channels' maps.
-Image<double> mean_ssim_map(const EncodedChannels& first, const EncodedChannels& second) {
-    Image<double> mean(first.front().size);
+/// On sRGB-encoded values, pixel by pixel: squared differences and structural similarity, means of the channels.
+struct EncodedMaps {
+    Image<double> squares;
+    Image<double> ssim;
+};
+
+/// Channel by channel, so that few images are in memory at once.
+EncodedMaps encoded_maps(const Colours& first, const Colours& second) {
+    EncodedMaps maps{Image<double>(first.size), Image<double>(first.size)};
     for (std::size_t channel = 0; channel < channels; ++channel) {
-        const Image<double> map = ssim_map(first[channel], second[channel]);
-        for (std::size_t pixel = 0; pixel < mean.texels.size(); ++pixel) {
-            mean.texels[pixel] += map.texels[pixel] / channels;
+        const Image<double> encoded_first = encoded_channel(first, channel);
+        const Image<double> encoded_second = encoded_channel(second, channel);
+        const Image<double> ssim = ssim_map(encoded_first, encoded_second);
+        for (std::size_t pixel = 0; pixel < first.texels.size(); ++pixel) {
+            const double difference = encoded_first.texels[pixel] - encoded_second.texels[pixel];
+            maps.squares.texels[pixel] += difference * difference / channels;
+            maps.ssim.texels[pixel] += ssim.texels[pixel] / channels;
         }
     }
-    return mean;
+    return maps;
 }
 
 template <typename Value>
-double mean_over(const std::vector<std::size_t>& pixels, const Image<Value>& map) {
+double mean_over(const Mask& mask, std::size_t pixels, const Image<Value>& map) {
     double sum = 0;
-    for (const std::size_t pixel : pixels) {
-        sum += map.texels[pixel];
+    for (std::size_t pixel = 0; pixel < mask.texels.size(); ++pixel) {
+        if (mask.texels[pixel] != 0) sum += map.texels[pixel];
     }
-    return sum / static_cast<double>(pixels.size());
+    return sum / static_cast<double>(pixels);
+}
+
+/// Of a window of both pictures, over the mask of that window.
+ImageErrors errors_over(const Mask& mask, const EncodedMaps& encoded, const Image<float>& flip) {
+    const auto outside = static_cast<std::size_t>(std::count(mask.texels.begin(), mask.texels.end(), 0));
+    const std::size_t pixels = mask.texels.size() - outside;
+    ImageErrors errors;
+    if (pixels == 0) return errors;
+    errors.rmse = std::sqrt(mean_over(mask, pixels, encoded.squares));
+    if (*errors.rmse > 0) errors.psnr = -20 * std::log10(*errors.rmse);
+    errors.ssim = mean_over(mask, pixels, encoded.ssim);
+    errors.flip = mean_over(mask, pixels, flip);
+    return errors;
+}
+
+/// All that the errors in the pixels of a mask depend on: no filter of theirs reaches beyond this window.
+Window needed_for(const Mask& mask) {
+    return window_around(mask, std::max(flip_reach(), ssim_reach));
+}
+
+Mask either(Mask first, const Mask& second) {
+    std::transform(first.texels.begin(), first.texels.end(), second.texels.begin(), first.texels.begin(),
+                   [](std::uint8_t a, std::uint8_t b) { return a != 0 || b != 0 ? 1 : 0; });
+    return first;
+}
+
+/// Pictures with the background outside F, as far as the errors over F depend on them.
+struct FootprintPictures {
+    Window window;
+    Mask inside;
+    Colours technique;
+    Colours truth;
+};
+
+FootprintPictures footprint_pictures(const Colours& technique, const Colours& truth, const Footprint& footprint) {
+    const Window window = needed_for(footprint.inside);
+    FootprintPictures pictures{window, part_of(footprint.inside, window), part_of(technique, window),
+                               part_of(truth, window)};
+    for (Colours* picture : {&pictures.technique, &pictures.truth}) {
+        set_background_outside(*picture, {pictures.inside, footprint.background});
+    }
+    return pictures;
+}
+
+/// As large as the whole picture, with `part` in the pixels of F.
+template <typename Value>
+Image<float> spread(const Image<Value>& part, const Footprint& footprint, const Window& window) {
+    Image<float> map(footprint.inside.size, std::numeric_limits<float>::quiet_NaN());
+    for (int y = 0; y < window.size.height; ++y) {
+        for (int x = 0; x < window.size.width; ++x) {
+            if (footprint.inside.at(window.left + x, window.top + y) == 0) continue;
+            map.at(window.left + x, window.top + y) = static_cast<float>(part.at(x, y));
+        }
+    }
+    return map;
 }
 
 }  // namespace
 
-Image<float> colour_ssim_map(const Colours& first, const Colours& second) {
-    const Image<double> map = mean_ssim_map(encoded_channels(first), encoded_channels(second));
-    Image<float> rounded(map.size);
-    std::transform(map.texels.begin(), map.texels.end(), rounded.texels.begin(),
-                   [](double value) { return static_cast<float>(value); });
-    return rounded;
+ImageComparison compare_images(const Colours& technique, const HitImage& technique_hits, const Colours& truth,
+                               const HitImage& truth_hits, const Footprint& footprint) {
+    assert(technique.size == truth.size && technique_hits.size == truth.size && truth_hits.size == truth.size);
+    const Mask covered = covered_by_either(technique_hits, truth_hits);
+    // Where both show nothing but the background outside F, they are F's pictures: one set of maps serves both means.
+    const bool as_footprint = is_background_outside(technique, footprint) && is_background_outside(truth, footprint);
+    const Window window = needed_for(as_footprint ? either(covered, footprint.inside) : covered);
+    const Colours technique_part = part_of(technique, window);
+    const Colours truth_part = part_of(truth, window);
+    const EncodedMaps encoded = encoded_maps(technique_part, truth_part);
+    const Image<float> flip = flip_map(technique_part, truth_part);
+    ImageComparison comparison;
+    comparison.whole = errors_over(part_of(covered, window), encoded, flip);
+    if (as_footprint) {
+        comparison.footprint = errors_over(part_of(footprint.inside, window), encoded, flip);
+    } else {
+        const FootprintPictures pictures = footprint_pictures(technique, truth, footprint);
+        comparison.footprint = errors_over(pictures.inside, encoded_maps(pictures.technique, pictures.truth),
+                                           flip_map(pictures.technique, pictures.truth));
+    }
+    return comparison;
 }
 
-ImageErrors compare_images(const Colours& technique, const HitImage& technique_hits, const Colours& truth,
-                           const HitImage& truth_hits) {
-    assert(technique.size == truth.size && technique_hits.size == truth.size && truth_hits.size == truth.size);
-    const std::vector<std::size_t> pixels = covered_by_either(technique_hits, truth_hits);
-    ImageErrors errors;
-    if (pixels.empty()) {
-        return errors;
-    }
-    double sum_of_squares = 0;
-    const EncodedChannels first = encoded_channels(technique);
-    const EncodedChannels second = encoded_channels(truth);
-    for (std::size_t channel = 0; channel < channels; ++channel) {
-        for (const std::size_t pixel : pixels) {
-            const double difference = first[channel].texels[pixel] - second[channel].texels[pixel];
-            sum_of_squares += difference * difference;
-        }
-    }
-    errors.rmse = std::sqrt(sum_of_squares / static_cast<double>(channels * pixels.size()));
-    if (*errors.rmse > 0) {
-        errors.psnr = -20 * std::log10(*errors.rmse);
-    }
-    errors.ssim = mean_over(pixels, mean_ssim_map(first, second));
-    errors.flip = mean_over(pixels, flip_map(technique, truth));
-    return errors;
+Image<float> footprint_flip_map(const Colours& technique, const Colours& truth, const Footprint& footprint) {
+    const FootprintPictures pictures = footprint_pictures(technique, truth, footprint);
+    return spread(flip_map(pictures.technique, pictures.truth), footprint, pictures.window);
+}
+
+Image<float> footprint_ssim_map(const Colours& technique, const Colours& truth, const Footprint& footprint) {
+    const FootprintPictures pictures = footprint_pictures(technique, truth, footprint);
+    return spread(encoded_maps(pictures.technique, pictures.truth).ssim, footprint, pictures.window);
 }
 
 }  // namespace reliefbench

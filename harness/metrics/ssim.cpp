@@ -12,7 +12,7 @@ namespace reliefbench {
 
 namespace {
 
-constexpr int radius = 5;
+constexpr int radius = ssim_reach;
 constexpr double deviation = 1.5;
 /// C₁ and C₂ of the paper for values of range 1.
 constexpr double c1 = 0.01 * 0.01;

@@ -60,7 +60,8 @@ std::vector<Swatch> swatches_of(const PixelMapScale& scale) {
         swatches.push_back({missed_outside_colour, "relief outside the quad"});
         swatches.push_back({tie_colour, "tie"});
     }
-    if (scale.undefined != PixelMapScale::Undefined::never) swatches.push_back({nothing_colour, "nothing"});
+    const bool outside = scale.undefined == PixelMapScale::Undefined::outside;
+    swatches.push_back({nothing_colour, outside ? "outside the footprint" : "nothing"});
     return swatches;
 }
 

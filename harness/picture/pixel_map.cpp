@@ -29,7 +29,7 @@ const std::vector<PixelMapScale>& pixel_map_scales() {
          logarithmic,
          {0.01, 0.1, 1, 10},
          Undefined::coverage},
-        {PixelMap::flip, "flip", "FLIP", "", 0, 1, linear, {0, 0.5, 1}, Undefined::never},
+        {PixelMap::flip, "flip", "FLIP", "", 0, 1, linear, {0, 0.5, 1}, Undefined::outside},
         {PixelMap::taps, "taps", "Taps per pixel", "", 1, 1000, logarithmic, {1, 10, 100, 1000}, Undefined::nothing},
         {PixelMap::depth_error,
          "depth_error",
@@ -49,7 +49,7 @@ const std::vector<PixelMapScale>& pixel_map_scales() {
          logarithmic,
          {0.1, 1, 10, 100},
          Undefined::coverage},
-        {PixelMap::ssim, "ssim", "SSIM", "", 1, 0, linear, {1, 0.5, 0}, Undefined::never},
+        {PixelMap::ssim, "ssim", "SSIM", "", 1, 0, linear, {1, 0.5, 0}, Undefined::outside},
         {PixelMap::coverage, "coverage", "Missed and false hits", "", 0, 1, linear, {}, Undefined::coverage},
     };
     return scales;

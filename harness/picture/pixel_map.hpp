@@ -21,10 +21,10 @@ enum class PixelMap {
 struct PixelMapScale {
     /// What pixels show whose value is not a number.
     enum class Undefined {
-        /// There are none.
-        never,
         /// That nothing was drawn.
         nothing,
+        /// That they lie outside the footprint.
+        outside,
         /// What became of the pixel: missed, false hit, ....
         coverage,
     };
@@ -41,7 +41,7 @@ struct PixelMapScale {
     bool logarithmic = false;
     /// Marks on the colour bar, from dark to light; empty where coverage is all that is shown.
     std::vector<double> marks;
-    Undefined undefined = Undefined::never;
+    Undefined undefined = Undefined::nothing;
 
     /// 0 at the dark end, 1 at the light one; clamped.
     double position(double value) const;

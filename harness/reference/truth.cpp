@@ -35,10 +35,15 @@ Hit to_hit(const ExactHit& hit) {
     return {static_cast<float>(hit.u), static_cast<float>(hit.v), static_cast<float>(hit.h), static_cast<float>(hit.t)};
 }
 
+std::array<float, 3> to_float(const glm::dvec3& colour) {
+    return {static_cast<float>(colour.r), static_cast<float>(colour.g), static_cast<float>(colour.b)};
+}
+
 /// Visibility of the lights and colour of a truth that has its hits.
 void light(Truth& truth, const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting) {
     truth.light_visibility = trace_light_visibility(truth.hits, map, view, lighting);
     truth.colour = shade_hits(truth.hits, truth.light_visibility.fractions, map, albedo, view, lighting);
+    truth.background = to_float(lighting.background);
 }
 
 /// Calls trace(ray) for every pixel whose hit a truth has, and marks F in the footprint.
@@ -104,8 +109,7 @@ void show_object(Truth& truth, const SceneObject& object, const View& view, cons
         if (!met || (hit.is_hit() && met->t >= hit.t)) return;
         front = Front::object;
         const glm::dvec3 linear = shade(lighting, object.colour, met->normal, -ray.direction, met->t);
-        truth.colour.at(i, j) = {static_cast<float>(linear.r), static_cast<float>(linear.g),
-                                 static_cast<float>(linear.b)};
+        truth.colour.at(i, j) = to_float(linear);
     });
 }
 
@@ -127,7 +131,7 @@ Image<std::array<float, 3>> shade_hits(const HitImage& hits, const Image<std::ar
             linear =
                 shade(lighting, {sampled[0], sampled[1], sampled[2]}, normal, to_eye, hit.t, {lit[0], lit[1], lit[2]});
         }
-        colour.at(i, j) = {static_cast<float>(linear.r), static_cast<float>(linear.g), static_cast<float>(linear.b)};
+        colour.at(i, j) = to_float(linear);
     });
     return colour;
 }

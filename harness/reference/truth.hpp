@@ -22,6 +22,8 @@ struct Truth {
     FootprintImage footprint;
     /// Linear RGB, shaded truth; the background colour where there is no hit.
     Image<std::array<float, 3>> colour;
+    /// Linear RGB.
+    std::array<float, 3> background{};
     LightVisibility light_visibility;
     /// What is in front; `hits` are the relief's, whatever covers them. Empty without an object.
     std::optional<Image<Front>> front;

@@ -24,6 +24,7 @@ CellResult complete_cell() {
     errors.shadow = CellResult::ShadowErrors{};
     cell.error = errors;
     cell.image = CellResult::ImageFields{};
+    cell.image->footprint = CellResult::FootprintFields{};
     CellResult::Motion motion;
     motion.texels = motion.flip = CellResult::MotionFigure{};
     cell.motion = motion;

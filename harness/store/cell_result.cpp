@@ -94,12 +94,19 @@ Json to_json(const CellResult::Errors& errors) {
     return json;
 }
 
-Json to_json(const CellResult::ImageFields& image) {
+template <typename Fields>
+Json image_errors_to_json(const Fields& errors) {
     Json json;
-    json["flip"] = number(image.flip);
-    json["psnr"] = number(image.psnr);
-    json["ssim"] = number(image.ssim);
-    json["rmse"] = number(image.rmse);
+    json["flip"] = number(errors.flip);
+    json["psnr"] = number(errors.psnr);
+    json["ssim"] = number(errors.ssim);
+    json["rmse"] = number(errors.rmse);
+    return json;
+}
+
+Json to_json(const CellResult::ImageFields& image) {
+    Json json = image_errors_to_json(image);
+    if (image.footprint) json["footprint"] = image_errors_to_json(*image.footprint);
     return json;
 }
 
@@ -221,13 +228,25 @@ CellResult::Errors read_errors(const JsonView& view) {
     return errors;
 }
 
+template <typename Fields>
+Fields read_image_errors(const JsonView& view) {
+    Fields errors;
+    errors.flip = optional_number(view.at("flip"));
+    errors.psnr = optional_number(view.at("psnr"));
+    errors.ssim = optional_number(view.at("ssim"));
+    errors.rmse = optional_number(view.at("rmse"));
+    return errors;
+}
+
 CellResult::ImageFields read_image(const JsonView& view) {
-    view.require_only({"flip", "psnr", "ssim", "rmse"});
-    CellResult::ImageFields image;
-    image.flip = optional_number(view.at("flip"));
-    image.psnr = optional_number(view.at("psnr"));
-    image.ssim = optional_number(view.at("ssim"));
-    image.rmse = optional_number(view.at("rmse"));
+    view.require_only({"flip", "psnr", "ssim", "rmse", "footprint"});
+    auto image = read_image_errors<CellResult::ImageFields>(view);
+    if (view.has("footprint")) {
+        image.footprint = optional(view.at("footprint"), [](const JsonView& footprint) {
+            footprint.require_only({"flip", "psnr", "ssim", "rmse"});
+            return read_image_errors<CellResult::FootprintFields>(footprint);
+        });
+    }
     return image;
 }
 

@@ -105,8 +105,15 @@ struct CellResult {
     };
     std::optional<Errors> error;
 
+    /// Over F (metrics/image_errors.hpp).
+    struct FootprintFields {
+        std::optional<double> flip, psnr, ssim, rmse;
+    };
+    /// Over the union of both coverages, so that relief beyond the quad counts.
     struct ImageFields {
         std::optional<double> flip, psnr, ssim, rmse;
+        /// Empty in runs of version 0.1.0.
+        std::optional<FootprintFields> footprint = {};
     };
     std::optional<ImageFields> image;
 

@@ -13,6 +13,7 @@ using Work = CellResult::Work;
 using Errors = CellResult::Errors;
 using Shadow = CellResult::ShadowErrors;
 using Image = CellResult::ImageFields;
+using Footprint = CellResult::FootprintFields;
 using Motion = CellResult::Motion;
 using Change = CellResult::MotionFigure;
 using Draw = PassTiming;
@@ -51,10 +52,12 @@ std::optional<double> of_draw(const CellResult& cell) {
     return follow<Members...>(draw->second);
 }
 
-std::optional<double> image_psnr(const CellResult& cell) {
-    const std::optional<double> rmse = member<&Cell::image, &Image::rmse>(cell);
+/// Of the image errors at the end of a way of members.
+template <auto Psnr, auto Rmse, auto... Members>
+std::optional<double> psnr(const CellResult& cell) {
+    const std::optional<double> rmse = member<Members..., Rmse>(cell);
     if (rmse && *rmse == 0) return std::numeric_limits<double>::infinity();
-    return member<&Cell::image, &Image::psnr>(cell);
+    return member<Members..., Psnr>(cell);
 }
 
 constexpr Better lower = Better::lower;
@@ -143,10 +146,15 @@ constexpr FigureDeclaration declarations[] = {
     {"error.shadow.truth_standard_error", "Standard error of the truth's soft shadows", "visibility", neither,
      member<&Cell::error, &Errors::shadow, &Shadow::truth_standard_error>},
 
-    {"image.flip", "FLIP", "", lower, member<&Cell::image, &Image::flip>},
-    {"image.psnr", "PSNR", "dB", higher, image_psnr},
-    {"image.ssim", "SSIM", "", higher, member<&Cell::image, &Image::ssim>},
-    {"image.rmse", "RMSE of the picture", "", lower, member<&Cell::image, &Image::rmse>},
+    {"image.flip", "FLIP, whole picture", "", lower, member<&Cell::image, &Image::flip>},
+    {"image.psnr", "PSNR, whole picture", "dB", higher, psnr<&Image::psnr, &Image::rmse, &Cell::image>},
+    {"image.ssim", "SSIM, whole picture", "", higher, member<&Cell::image, &Image::ssim>},
+    {"image.rmse", "RMSE, whole picture", "", lower, member<&Cell::image, &Image::rmse>},
+    {"image.footprint.flip", "FLIP, footprint", "", lower, member<&Cell::image, &Image::footprint, &Footprint::flip>},
+    {"image.footprint.psnr", "PSNR, footprint", "dB", higher,
+     psnr<&Footprint::psnr, &Footprint::rmse, &Cell::image, &Image::footprint>},
+    {"image.footprint.ssim", "SSIM, footprint", "", higher, member<&Cell::image, &Image::footprint, &Footprint::ssim>},
+    {"image.footprint.rmse", "RMSE, footprint", "", lower, member<&Cell::image, &Image::footprint, &Footprint::rmse>},
 
     {"motion.texels.mean", "Change of the UV error between frames, mean", texels, lower,
      member<&Cell::motion, &Motion::texels, &Change::mean>},

@@ -86,8 +86,8 @@ TEST_F(Shell, HelpOfEveryCommandShowsAnExample) {
 TEST_F(Shell, FiguresAreListedOneALineWithUnitAndDirection) {
     const std::string table = reliefbench({"list", "figures"}).out;
     EXPECT_THAT(table, testing::ContainsRegex("\nerror.uv_texels.p99 +texels +lower +UV error, p99\n"));
-    EXPECT_THAT(table, testing::ContainsRegex("\nimage.psnr +dB +higher +PSNR\n"));
-    EXPECT_THAT(table, testing::ContainsRegex("\nimage.ssim +- +higher +SSIM\n"));
+    EXPECT_THAT(table, testing::ContainsRegex("\nimage.psnr +dB +higher +PSNR, whole picture\n"));
+    EXPECT_THAT(table, testing::ContainsRegex("\nimage.footprint.ssim +- +higher +SSIM, footprint\n"));
     const std::string json = reliefbench({"list", "figures", "--format", "json"}).out;
     EXPECT_EQ(json, read_file(RELIEFBENCH_SOURCE_DIR "/scripts/figures.json"));
     EXPECT_EQ(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')), Json::parse(json).size());

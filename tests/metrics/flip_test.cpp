@@ -1,5 +1,6 @@
 #include "metrics/flip.hpp"
 
+#include "patterns.hpp"
 #include "scene/colour.hpp"
 
 #include <gtest/gtest.h>
@@ -24,25 +25,6 @@ double mean(const Image<float>& map) {
     }
     return sum / static_cast<double>(map.texels.size());
 }
-
-/// Waves and chequers, shifted a little from one another.
-struct Patterns {
-    Image<Colour> first{Resolution{40, 30}};
-    Image<Colour> second{Resolution{40, 30}};
-
-    Patterns() {
-        for (int y = 0; y < first.size.height; ++y) {
-            for (int x = 0; x < first.size.width; ++x) {
-                first.at(x, y) = {static_cast<float>(0.5 + 0.5 * std::sin(0.4 * x)),
-                                  static_cast<float>(0.5 + 0.5 * std::sin(0.3 * y)),
-                                  static_cast<float>((x / 7 + y / 5) % 2)};
-                second.at(x, y) = {static_cast<float>(0.5 + 0.5 * std::sin(0.4 * x + 0.5)),
-                                   static_cast<float>(0.5 + 0.45 * std::sin(0.3 * y + 0.2)),
-                                   static_cast<float>(0.8 * ((x / 7 + (y + 1) / 5) % 2))};
-            }
-        }
-    }
-};
 
 struct UniformPair {
     Colour first;

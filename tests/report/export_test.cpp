@@ -124,6 +124,7 @@ TEST(Csv, HasOneRowPerCellAndEveryFieldAsAColumn) {
     EXPECT_EQ(field(1, "error.outside_quad.pixels"), "0");
     EXPECT_EQ(field(1, "image.psnr"), "30.0");
     EXPECT_EQ(field(1, "image.flip"), "");
+    EXPECT_EQ(field(1, "image.footprint.flip"), "0.0625");
     EXPECT_EQ(field(1, "motion.texels.mean"), "0.25");
     EXPECT_EQ(field(1, "motion.flip.mean"), "");
     EXPECT_EQ(field(1, "motion.unseen"), "700");
@@ -143,7 +144,8 @@ TEST(Csv, ColumnsDoNotDependOnWhichCellsFailed) {
     const std::vector<std::string> titles = read_csv(format_csv(run)).front();
     EXPECT_EQ(titles, read_csv(format_csv({})).front());
     EXPECT_THAT(titles, testing::IsSupersetOf({"cell", "reason", "time.draw.median_ms", "prepare.ms", "work.taps_mean",
-                                               "error.uv_texels.p99", "error.outside_quad.covered", "image.psnr"}));
+                                               "error.uv_texels.p99", "error.outside_quad.covered", "image.psnr",
+                                               "image.footprint.flip"}));
     EXPECT_THAT(titles, testing::Not(testing::Contains("error")));
 }
 

@@ -33,7 +33,7 @@ inline Run sample_run() {
     errors.false_hits = 0.002;
     errors.coverage_iou = 0.9;
     cell.error = errors;
-    cell.image = CellResult::ImageFields{{}, 30, {}, 0.03};
+    cell.image = CellResult::ImageFields{{}, 30, {}, 0.03, CellResult::FootprintFields{0.0625, 36, {}, 0.015}};
     cell.motion = CellResult::Motion{CellResult::MotionFigure{0.25, 0.5, 4}, {}, 500000, 12, 700};
     run.cells.push_back(cell);
     CellResult skipped;

@@ -44,7 +44,7 @@ CellResult full_result() {
     errors.shadow = CellResult::ShadowErrors{0.02, 0.01, 0.015, 64000, 0.001};
     errors.wrong_surface = 0.003;
     result.error = errors;
-    result.image = CellResult::ImageFields{0.1, 30, 0.9, 0.03};
+    result.image = CellResult::ImageFields{0.1, 30, 0.9, 0.03, CellResult::FootprintFields{0.04, 36, 0.95, 0.016}};
     result.motion = CellResult::Motion{CellResult::MotionFigure{0.5, 2, 8}, {}, 500000, 12, 700};
     return result;
 }
@@ -79,7 +79,8 @@ TEST(CellResultJson, HasEveryFieldWhereTheFormatSays) {
             "shadow": {"mean": 0.02, "false_shadow": 0.01, "missed_shadow": 0.015, "compared": 64000,
                        "truth_standard_error": 0.001}
         },
-        "image": {"flip": 0.1, "psnr": 30.0, "ssim": 0.9, "rmse": 0.03},
+        "image": {"flip": 0.1, "psnr": 30.0, "ssim": 0.9, "rmse": 0.03,
+                  "footprint": {"flip": 0.04, "psnr": 36.0, "ssim": 0.95, "rmse": 0.016}},
         "motion": {"texels": {"mean": 0.5, "p95": 2.0, "max": 8.0}, "flip": null, "compared": 500000, "hit_once": 12,
                    "unseen": 700}
     })"));
@@ -99,10 +100,22 @@ TEST(CellResultJson, ReadsBackTheSameToTheLastBit) {
     EXPECT_EQ(result.error->uv_texels->p99, 1e-300);
     EXPECT_EQ(result.work->covered_pixels, 65536U);
     EXPECT_EQ(result.image->psnr, 30);
+    EXPECT_EQ(result.image->footprint->flip, 0.04);
     EXPECT_EQ(result.motion->texels->p95, 2);
     EXPECT_FALSE(result.motion->flip);
     EXPECT_EQ(result.motion->unseen, 700U);
     EXPECT_EQ(result.status, CellStatus::ok);
+}
+
+TEST(CellResultJson, RunsFromBeforeErrorsOverTheFootprintAreReadAndWrittenAsTheyWere) {
+    Json json = to_json(full_result());
+    json["image"].erase("footprint");
+    const CellResult result = parse_cell_result(json, "cells.jsonl");
+    EXPECT_EQ(result.image->flip, 0.1);
+    EXPECT_FALSE(result.image->footprint);
+    EXPECT_EQ(to_json(result), json);
+    json["image"]["footprint"] = nullptr;
+    EXPECT_FALSE(parse_cell_result(json, "cells.jsonl").image->footprint);
 }
 
 TEST(CellResultJson, RunsFromBeforeStoppingRulesAndMotionAreRead) {
