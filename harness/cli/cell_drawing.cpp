@@ -33,6 +33,12 @@ DrawnCell CellDrawing::beside_truth(const Cell& cell, const Probe& probe) {
     return {probe, inputs_.truth(cell.view), inputs_.map(cell.view).map, cell.view.view.relief};
 }
 
+std::optional<ShadowErrors> CellDrawing::shadow_errors(const Cell& cell, const DrawnCell& drawn) const {
+    if (cell.view.view.self_shadow.mode == SelfShadow::Mode::off) return std::nullopt;
+    return compare_shadows(drawn.probe.light_visibility, drawn.probe.hits, drawn.truth.light_visibility.fractions,
+                           drawn.truth.hits, drawn.truth.footprint, drawn.map, drawn.relief, lighting_);
+}
+
 HitErrors hit_errors_of(const DrawnCell& drawn) {
     return compare_hits(drawn.probe.hits, drawn.truth.hits, drawn.truth.footprint, drawn.map, drawn.relief);
 }

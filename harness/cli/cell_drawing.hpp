@@ -5,6 +5,7 @@
 #include "measure/shared_inputs.hpp"
 #include "metrics/hit_errors.hpp"
 #include "metrics/image_errors.hpp"
+#include "metrics/shadow_errors.hpp"
 #include "technique/technique.hpp"
 
 #include <optional>
@@ -25,6 +26,8 @@ public:
     Probe probe(const Cell& cell);
     /// The parts are those of `probe` and of this object; its truth is valid until another view is drawn.
     DrawnCell beside_truth(const Cell& cell, const Probe& probe);
+    /// Empty where the cell has no self-shadowing.
+    std::optional<ShadowErrors> shadow_errors(const Cell& cell, const DrawnCell& drawn) const;
 
 private:
     const gpu::Device* device_;

@@ -10,7 +10,6 @@
 #include "measure/clock.hpp"
 #include "measure/pictures.hpp"
 #include "measure/shared_inputs.hpp"
-#include "metrics/shadow_errors.hpp"
 #include "metrics/wrong_surface.hpp"
 #include "scene/image_file.hpp"
 #include "technique/map_cache.hpp"
@@ -41,14 +40,11 @@ void print_image_errors(const char* what, const ImageErrors& errors) {
 }
 
 /// Of what only some scenes have.
-void print_scene_errors(const Cell& cell, const DrawnCell& drawn, const Lighting& lighting) {
-    if (cell.view.view.self_shadow.mode != SelfShadow::Mode::off) {
-        const ShadowErrors shadow =
-            compare_shadows(drawn.probe.light_visibility, drawn.probe.hits, drawn.truth.light_visibility.fractions,
-                            drawn.truth.hits, drawn.truth.footprint, drawn.map, drawn.relief, lighting);
+void print_scene_errors(const DrawnCell& drawn, const std::optional<ShadowErrors>& shadow) {
+    if (shadow) {
         fmt::print(stderr,
                    "shadows: visibility wrong by {:.4g} on average; {:.3f} % falsely dark, {:.3f} % falsely lit\n",
-                   shadow.mean, 100 * shadow.false_shadow, 100 * shadow.missed_shadow);
+                   shadow->mean, 100 * shadow->false_shadow, 100 * shadow->missed_shadow);
     }
     if (drawn.truth.front) {
         fmt::print(stderr, "wrong surface in front: {:.3f} % of the footprint\n",
@@ -56,7 +52,7 @@ void print_scene_errors(const Cell& cell, const DrawnCell& drawn, const Lighting
     }
 }
 
-void print_summary(const Cell& cell, const DrawnCell& drawn, const Lighting& lighting) {
+void print_summary(const Cell& cell, const DrawnCell& drawn, const std::optional<ShadowErrors>& shadow) {
     const HitErrors errors = hit_errors_of(drawn);
     const ImageComparison image = image_errors_of(drawn);
     fmt::print(stderr, "{}\n", cell.id);
@@ -78,7 +74,7 @@ void print_summary(const Cell& cell, const DrawnCell& drawn, const Lighting& lig
     }
     print_image_errors("picture, over the footprint", image.footprint);
     print_image_errors("picture, with what lies beyond the quad", image.whole);
-    print_scene_errors(cell, drawn, lighting);
+    print_scene_errors(drawn, shadow);
 }
 
 /// One cell's pictures from left to right; a single one without a legend comes as it is, pixel for pixel.
@@ -122,12 +118,11 @@ void draw_frames(const RenderOptions& options, OutputKind kind, const std::vecto
     }
 }
 
-void draw_cell(const RenderOptions& options, OutputKind kind, const Cell& cell, CellDrawing& drawing,
-               const Lighting& lighting) {
+void draw_cell(const RenderOptions& options, OutputKind kind, const Cell& cell, CellDrawing& drawing) {
     const Probe probe = drawing.probe(cell);
     const DrawnCell drawn = drawing.beside_truth(cell, probe);
     write_cell(options.output, kind, shown_by(options), drawn);
-    print_summary(cell, drawn, lighting);
+    print_summary(cell, drawn, drawing.shadow_errors(cell, drawn));
 }
 
 /// Told on a line that the next message takes the place of.
@@ -166,7 +161,7 @@ ExitCode render(const RenderOptions& options) {
     } else if (!options.animation.empty()) {
         draw_frames(options, kind, cells, drawing);
     } else {
-        draw_cell(options, kind, cells.front(), drawing, lighting);
+        draw_cell(options, kind, cells.front(), drawing);
     }
     return graver(code, check_validation(device));
 }

@@ -5,6 +5,7 @@
 #include "core/log.hpp"
 #include "core/memory.hpp"
 #include "measure/memory_need.hpp"
+#include "sweep/view_axes.hpp"
 
 #include <algorithm>
 #include <span>
@@ -48,12 +49,11 @@ HeightMapRecord inspect(const ViewKey& key) {
     return record;
 }
 
-/// What the truth of a view does not depend on, at its default: views that differ in it alone share one truth.
-ViewKey truth_key(ViewKey key) {
-    SelfShadow self_shadow;
-    self_shadow.mode = key.view.self_shadow.mode;
-    key.view.self_shadow = self_shadow;
-    key.view.depth_write = DepthWrite::on;
+/// What the truth of a view does not depend on, at its default: views that differ in it alone share one truth. It has
+/// hits, and how much of each light reaches them.
+ViewKey truth_key(const ViewKey& view) {
+    ViewKey key = hits_view(view);
+    key.view.self_shadow.mode = view.view.self_shadow.mode;
     return key;
 }
 

@@ -1,11 +1,13 @@
 #include "report/quality_cost.hpp"
 
 #include "report/text_layout.hpp"
+#include "store/view_variants.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string_view>
 
@@ -13,23 +15,16 @@ namespace reliefbench {
 
 namespace {
 
-/// Missed and false hits above this fraction of the footprint: discarding hard pixels wins nothing.
-constexpr double hit_limit = 0.005;
-constexpr const char* draw_pass = "draw";
 constexpr const char* undefined = "-";
 
 std::optional<double> draw_ms(const CellResult& cell) {
-    const auto draw = cell.time.find(draw_pass);
-    if (draw == cell.time.end()) return std::nullopt;
-    return draw->second.median_ms;
+    const PassTiming* const draw = draw_timing(cell);
+    if (draw == nullptr) return std::nullopt;
+    return draw->median_ms;
 }
 
 double sorting_ms(const CellResult& cell) {
     return draw_ms(cell).value_or(std::numeric_limits<double>::infinity());
-}
-
-bool hits_within_limit(const CellResult& cell) {
-    return cell.error && cell.error->missed + cell.error->false_hits <= hit_limit;
 }
 
 /// What the Pareto front weighs against time; empty where there is nothing to rank by.
@@ -45,24 +40,26 @@ bool dominates(const CellResult& other, const CellResult& cell) {
     return other_ms <= ms && *quality(other) <= *quality(cell) && (other_ms < ms || *quality(other) < *quality(cell));
 }
 
-char mark_of(const CellResult& cell, const std::vector<QualityCostRow>& rows) {
+char mark_of(const QualityCostRow& row, const std::vector<QualityCostRow>& rows) {
+    const CellResult& cell = *row.cell;
     if (cell.error && !hits_within_limit(cell)) return '!';
     if (!quality(cell)) return ' ';
-    const bool dominated =
-        std::any_of(rows.begin(), rows.end(), [&](const QualityCostRow& row) { return dominates(*row.cell, cell); });
+    const bool dominated = std::any_of(rows.begin(), rows.end(), [&](const QualityCostRow& other) {
+        return other.variant == row.variant && dominates(*other.cell, cell);
+    });
     return dominated ? ' ' : '*';
 }
 
 /// The median to four significant digits, the deviation to the same decimals.
 std::string format_timing(const CellResult& cell) {
-    const auto draw = cell.time.find(draw_pass);
-    if (draw == cell.time.end()) return undefined;
+    const PassTiming* const draw = draw_timing(cell);
+    if (draw == nullptr) return undefined;
     constexpr int digits = 4;
-    const std::string ms = significant(draw->second.median_ms, digits);
+    const std::string ms = significant(draw->median_ms, digits);
     const std::size_t point = ms.find('.');
-    if (ms.find('e') != std::string::npos) return ms + " ± " + significant(draw->second.mad_ms, 2);
+    if (ms.find('e') != std::string::npos) return ms + " ± " + significant(draw->mad_ms, 2);
     const std::size_t decimals = point == std::string::npos ? 0 : ms.size() - point - 1;
-    return fmt::format("{} ± {:.{}f}", ms, draw->second.mad_ms, decimals);
+    return fmt::format("{} ± {:.{}f}", ms, draw->mad_ms, decimals);
 }
 
 QualityCostFigure figure(const std::optional<double>& value) {
@@ -81,15 +78,32 @@ std::optional<double> percent(const std::optional<double>& fraction) {
     return 100 * *fraction;
 }
 
-const std::vector<QualityCostColumn>& columns_of_all() {
-    static const std::vector<QualityCostColumn> columns = {
+/// Figures that only some runs have.
+struct OptionalColumns {
+    bool shadow = false;
+    bool motion = false;
+};
+
+OptionalColumns optional_columns(const std::vector<CellResult>& cells) {
+    OptionalColumns columns;
+    for (const CellResult& cell : cells) {
+        columns.shadow = columns.shadow || (cell.error && cell.error->shadow);
+        columns.motion = columns.motion || cell.motion;
+    }
+    return columns;
+}
+
+std::vector<QualityCostColumn> columns_of(const OptionalColumns& with) {
+    std::vector<QualityCostColumn> columns = {
         {"ms", false},    {"ns/pixel", false}, {"taps", false}, {"prep ms", false}, {"uv p50", true},
         {"uv p99", true}, {"depth p99", true}, {"flip", true},  {"missed %", true}, {"false %", true}};
+    if (with.shadow) columns.insert(columns.end(), {{"shadow taps", false}, {"shadow", true}});
+    if (with.motion) columns.push_back({"motion", true});
     return columns;
 }
 
 /// In the order of the columns.
-std::vector<QualityCostFigure> figures_of(const CellResult& cell, bool with_motion) {
+std::vector<QualityCostFigure> figures_of(const CellResult& cell, RankingFlip flip, const OptionalColumns& with) {
     using Errors = CellResult::Errors;
     const Errors error = cell.error.value_or(Errors());
     std::vector<QualityCostFigure> figures = {{format_timing(cell), draw_ms(cell)},
@@ -99,14 +113,36 @@ std::vector<QualityCostFigure> figures_of(const CellResult& cell, bool with_moti
                                               figure(member(error.uv_texels, &Summary::p50)),
                                               figure(member(error.uv_texels, &Summary::p99)),
                                               figure(member(error.depth, &Summary::p99)),
-                                              figure(cell.image ? cell.image->flip : std::nullopt),
+                                              figure(flip_of(cell, flip)),
                                               figure(percent(member(cell.error, &Errors::missed))),
                                               figure(percent(member(cell.error, &Errors::false_hits)))};
-    if (with_motion) {
+    if (with.shadow) {
+        figures.push_back(figure(cell.work ? cell.work->shadow_taps_mean : std::nullopt));
+        figures.push_back(figure(member(error.shadow, &CellResult::ShadowErrors::mean)));
+    }
+    if (with.motion) {
         const auto motion = cell.motion ? cell.motion->texels : std::nullopt;
         figures.push_back(figure(member(motion, &CellResult::MotionFigure::mean)));
     }
     return figures;
+}
+
+QualityCostView& view_of(std::vector<QualityCostView>& views, const std::string& view) {
+    const auto known =
+        std::find_if(views.begin(), views.end(), [&](const QualityCostView& each) { return each.view == view; });
+    return known != views.end() ? *known : views.emplace_back(QualityCostView{view, {}});
+}
+
+/// By the time of the fastest of each setting's variants; these in the order in which they are.
+void sort_rows(std::vector<QualityCostRow>& rows) {
+    std::map<std::string, double> fastest;
+    for (const QualityCostRow& row : rows) {
+        const auto [setting, is_new] = fastest.try_emplace(row.setting, sorting_ms(*row.cell));
+        if (!is_new) setting->second = std::min(setting->second, sorting_ms(*row.cell));
+    }
+    std::stable_sort(rows.begin(), rows.end(), [&](const QualityCostRow& a, const QualityCostRow& b) {
+        return std::pair(fastest.at(a.setting), a.setting) < std::pair(fastest.at(b.setting), b.setting);
+    });
 }
 
 }  // namespace
@@ -119,24 +155,23 @@ std::pair<std::string, std::string> split_cell_id(const std::string& id) {
 }
 
 QualityCostTable quality_cost_table(const std::vector<CellResult>& cells) {
-    QualityCostTable table{.columns = columns_of_all(), .views = {}};
-    const bool with_motion =
-        std::any_of(cells.begin(), cells.end(), [](const CellResult& cell) { return cell.motion.has_value(); });
-    if (with_motion) table.columns.push_back({"motion", true});
-    for (const CellResult& cell : cells) {
+    const OptionalColumns with = optional_columns(cells);
+    QualityCostTable table{.columns = columns_of(with), .views = {}, .flip = ranking_flip(cells)};
+    const std::vector<ViewVariant> variants = view_variants(cells);
+    for (std::size_t at = 0; at < cells.size(); ++at) {
+        const CellResult& cell = cells[at];
         if (cell.status != CellStatus::ok) continue;
-        const std::string view = split_cell_id(cell.cell).second;
-        auto group = std::find_if(table.views.begin(), table.views.end(),
-                                  [&](const QualityCostView& each) { return each.view == view; });
-        if (group == table.views.end()) group = table.views.insert(table.views.end(), QualityCostView{view, {}});
-        group->rows.push_back({&cell, ' ', figures_of(cell, with_motion)});
+        const auto& [view, variant] = variants[at];
+        view_of(table.views, view)
+            .rows.push_back({.cell = &cell,
+                             .setting = split_cell_id(cell.cell).first,
+                             .variant = variant,
+                             .figures = figures_of(cell, table.flip, with)});
     }
-    for (QualityCostView& group : table.views) {
-        std::sort(group.rows.begin(), group.rows.end(), [](const QualityCostRow& a, const QualityCostRow& b) {
-            return std::pair(sorting_ms(*a.cell), a.cell->cell) < std::pair(sorting_ms(*b.cell), b.cell->cell);
-        });
-        for (QualityCostRow& row : group.rows) {
-            row.mark = mark_of(*row.cell, group.rows);
+    for (QualityCostView& view : table.views) {
+        sort_rows(view.rows);
+        for (QualityCostRow& row : view.rows) {
+            row.mark = mark_of(row, view.rows);
         }
     }
     return table;

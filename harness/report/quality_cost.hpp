@@ -1,5 +1,6 @@
 #pragma once
 
+#include "report/ranking.hpp"
 #include "store/cell_result.hpp"
 
 #include <optional>
@@ -28,6 +29,11 @@ struct QualityCostColumn {
 /// Quality against cost of one cell: what the table on the terminal and the one in Markdown show.
 struct QualityCostRow {
     const CellResult* cell = nullptr;
+    /// Technique and parameters.
+    std::string setting;
+    /// What of the cell's view moves no hit, where cells of the table differ in that ("self_shadow=hard"). Rows are
+    /// ranked among those of their variant.
+    std::string variant;
     /// '*' on the Pareto front of time and 99th percentile of the UV error; '!' kept off it because missed and false
     /// hits exceed 0.5 % of the footprint; else ' '.
     char mark = ' ';
@@ -35,6 +41,7 @@ struct QualityCostRow {
     std::vector<QualityCostFigure> figures;
 };
 
+/// Cells that see the same hits.
 struct QualityCostView {
     std::string view;
     std::vector<QualityCostRow> rows;
@@ -43,11 +50,15 @@ struct QualityCostView {
 struct QualityCostTable {
     std::vector<QualityCostColumn> columns;
     std::vector<QualityCostView> views;
+    /// Of the column "flip".
+    RankingFlip flip = RankingFlip::footprint;
 };
 
 /// ms (median ± MAD of the draw), ns per covered pixel, taps per pixel, milliseconds of preparation, UV error in
-/// texels, depth error, FLIP, missed and false hits; where a cell has it the mean change of the UV error in motion. The
-/// measured cells by view, in the order of the cells; within a view by ascending time, then by id. Refers to them.
+/// texels, depth error, FLIP, missed and false hits; where a cell has them the mean error of its shadows and their taps
+/// per pixel, and the mean change of the UV error in motion. The measured cells by view, in the order of the cells;
+/// within a view by ascending time, then by id; the variants of one setting stand together at the place of its fastest,
+/// in the order of the cells, so that what an axis costs and changes is seen at a glance. Refers to the cells.
 QualityCostTable quality_cost_table(const std::vector<CellResult>& cells);
 
 /// Cells that failed or were skipped for the same reason, in the order of their first.

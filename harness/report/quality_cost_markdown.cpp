@@ -19,8 +19,9 @@ std::string format_view(const QualityCostView& view, const std::vector<QualityCo
     }
     std::vector<std::vector<std::string>> rows;
     for (const QualityCostRow& row : view.rows) {
-        std::vector<std::string> cells = {row.mark == ' ' ? "" : markdown_text(std::string(1, row.mark)),
-                                          markdown_code(split_cell_id(row.cell->cell).first)};
+        std::vector<std::string> cells = {
+            row.mark == ' ' ? "" : markdown_text(std::string(1, row.mark)),
+            markdown_code(row.variant.empty() ? row.setting : row.setting + ' ' + row.variant)};
         for (const QualityCostFigure& figure : row.figures) {
             cells.push_back(figure.text);
         }
@@ -52,10 +53,13 @@ std::string format_quality_cost_markdown(const Run& run) {
         text += format_view(view, table.columns);
     }
     if (!text.empty()) {
-        text +=
+        text += fmt::format(
             "\\* nothing in the view is both faster and better (UV p99); ! missed + false hits above 0.5 %: its errors "
             "do not count. ms: median ± MAD of the draw; prep: making its maps; uv: texels; depth: patch sides; "
-            "missed, false: % of the footprint; motion: change of the UV error between frames, texels.\n\n";
+            "flip: {}; missed, false: % of the footprint; shadow: mean error of the lights' visibility; motion: change "
+            "of the UV error between frames, texels.\n\n",
+            extent_of(table.flip));
+        if (table.flip != RankingFlip::footprint) text += fmt::format("{}\n\n", caveat_of(table.flip));
     }
     return text + format_unmeasured(run, CellStatus::failed, "failed") +
            format_unmeasured(run, CellStatus::skipped, "skipped");

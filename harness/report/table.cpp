@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
 #include <vector>
 
@@ -19,32 +20,37 @@ constexpr std::size_t space_between = 2;
 constexpr std::size_t mark_columns = 2;
 /// Room for names that columns give way to.
 constexpr std::size_t wanted_name_columns = 28;
+constexpr std::size_t variant_indent = 2;
 /// Cells named under each reason for which cells failed or were skipped.
 constexpr std::size_t cells_named = 3;
 
 /// Titles of the columns that give way, the first first.
-constexpr std::array<std::string_view, 5> dispensable = {"depth p99", "ns/pixel", "prep ms", "uv p50", "taps"};
+constexpr std::array<std::string_view, 6> dispensable = {"depth p99", "ns/pixel", "prep ms",
+                                                         "uv p50",    "taps",     "shadow taps"};
 
 constexpr std::string_view bold = "\033[1m";
 constexpr std::string_view cyan = "\033[36m";
 constexpr std::string_view yellow = "\033[33m";
 constexpr std::string_view plain = "\033[0m";
 
+/// Takes what FLIP is of.
 constexpr const char* legend =
     "* nothing in the view is both faster and better (UV p99)\n"
     "! missed + false hits above 0.5 %: its errors do not count\n"
-    "ms: median ± MAD of the draw; prep: making its maps; uv: texels; depth: patch sides; flip: 0 to 1;\n"
-    "missed, false: % of the footprint; motion: change of the UV error between frames, texels\n";
+    "ms: median ± MAD of the draw; prep: making its maps; uv: texels; depth: patch sides;\n"
+    "flip: 0 to 1, {}; missed, false: % of the footprint;\n"
+    "shadow: mean error of the lights' visibility; motion: change of the UV error between frames, texels\n";
 constexpr const char* colour_legend = "in each view and column: {}best third{}, {}worst third{}\n";
 
-/// Colours by rank among the rows of a view, "" for the middle. Errors of rows marked '!' do not count.
+/// Colours by rank among the rows of a view and variant, "" for the middle. Errors of rows marked '!' do not count.
 class Ranks {
 public:
     Ranks(const QualityCostView& view, const std::vector<QualityCostColumn>& columns) : columns_(columns) {
-        values_.resize(columns.size());
         for (const QualityCostRow& row : view.rows) {
+            std::vector<std::vector<double>>& values = values_[row.variant];
+            values.resize(columns.size());
             for (std::size_t column = 0; column < columns.size(); ++column) {
-                if (counts(row, column)) values_[column].push_back(*row.figures[column].value);
+                if (counts(row, column)) values[column].push_back(*row.figures[column].value);
             }
         }
     }
@@ -52,7 +58,7 @@ public:
     std::string_view colour(const QualityCostRow& row, std::size_t column) const {
         if (!counts(row, column)) return "";
         const double value = *row.figures[column].value;
-        const std::vector<double>& all = values_[column];
+        const std::vector<double>& all = values_.at(row.variant)[column];
         const auto better = std::count_if(all.begin(), all.end(), [value](double other) { return other < value; });
         const auto worse = std::count_if(all.begin(), all.end(), [value](double other) { return other > value; });
         if (2 * better < worse) return cyan;
@@ -66,8 +72,14 @@ private:
     }
 
     const std::vector<QualityCostColumn>& columns_;
-    std::vector<std::vector<double>> values_;
+    /// By variant and column.
+    std::map<std::string, std::vector<std::vector<double>>> values_;
 };
+
+/// Of a row's name: the setting, or below it the variant.
+std::size_t name_columns(const QualityCostRow& row) {
+    return row.variant.empty() ? text_width(row.setting) : variant_indent + text_width(row.variant);
+}
 
 /// One layout for all views, so that columns can be compared from view to view.
 class Layout {
@@ -80,7 +92,7 @@ public:
         }
         for (const QualityCostView& view : table.views) {
             for (const QualityCostRow& row : view.rows) {
-                longest_name = std::max(longest_name, text_width(split_cell_id(row.cell->cell).first));
+                longest_name = std::max(longest_name, name_columns(row));
                 for (std::size_t column = 0; column < widths_.size(); ++column) {
                     widths_[column] = std::max(widths_[column], text_width(row.figures[column].text));
                 }
@@ -95,6 +107,11 @@ public:
         name_width_ = std::min(longest_name, style.columns - std::min(style.columns, taken()));
     }
 
+    /// What stands above the variants of a setting; "" where there is one row of it alone.
+    std::string setting_lines(const QualityCostRow& row) const {
+        return row.variant.empty() ? "" : indented(row.setting, mark_columns, style_.columns);
+    }
+
     std::string titles_line() const {
         std::string text(mark_columns + name_width_, ' ');
         for (std::size_t column = 0; column < widths_.size(); ++column) {
@@ -105,9 +122,11 @@ public:
     }
 
     std::string row_lines(const QualityCostRow& row, const Ranks& ranks) const {
-        const std::vector<std::string> name = wrap(split_cell_id(row.cell->cell).first, name_width_);
+        const std::size_t indent = row.variant.empty() ? 0 : variant_indent;
+        const std::vector<std::string> name =
+            wrap(row.variant.empty() ? row.setting : row.variant, name_width_ - std::min(indent, name_width_));
         std::string text = coloured(std::string(1, row.mark), row.mark == ' ' ? "" : bold) + ' ' +
-                           pad_right(name.front(), name_width_);
+                           pad_right(std::string(indent, ' ') + name.front(), name_width_);
         for (std::size_t column = 0; column < widths_.size(); ++column) {
             if (!shown_[column]) continue;
             text += std::string(space_between, ' ') +
@@ -115,7 +134,7 @@ public:
         }
         text += '\n';
         for (std::size_t rest = 1; rest < name.size(); ++rest) {
-            text += std::string(mark_columns, ' ') + name[rest] + '\n';
+            text += std::string(mark_columns + indent, ' ') + name[rest] + '\n';
         }
         return text;
     }
@@ -166,13 +185,17 @@ std::string format_table(const std::vector<CellResult>& cells, const TableStyle&
     for (const QualityCostView& view : table.views) {
         const Ranks ranks(view, table.columns);
         text += indented(view.view, 0, style.columns) + layout.titles_line();
+        std::string setting;
         for (const QualityCostRow& row : view.rows) {
+            if (row.setting != setting) text += layout.setting_lines(row);
+            setting = row.setting;
             text += layout.row_lines(row, ranks);
         }
         text += '\n';
     }
     if (!table.views.empty()) {
-        text += legend;
+        text += fmt::format(legend, extent_of(table.flip));
+        if (table.flip != RankingFlip::footprint) text += indented(caveat_of(table.flip), 0, style.columns);
         if (style.colour) text += fmt::format(colour_legend, cyan, plain, yellow, plain);
     }
     const std::string reasons = format_reasons(cells, CellStatus::failed, "failed", style.columns) +

@@ -70,6 +70,11 @@ ViewAxis only_where(bool (*has_use)(const View&), ViewAxis axis) {
     return axis;
 }
 
+ViewAxis moving_no_hits(ViewAxis axis) {
+    axis.moves_hits = false;
+    return axis;
+}
+
 bool is_perspective(const View& view) {
     return view.camera.projection == Projection::perspective;
 }
@@ -134,7 +139,8 @@ double read_fraction(const JsonView& view) {
     return view.number(0, 1);
 }
 
-void append_self_shadow_axes(std::vector<ViewAxis>& axes) {
+std::vector<ViewAxis> self_shadow_axes() {
+    std::vector<ViewAxis> axes;
     axes.push_back(word_axis<SelfShadow::Mode>(
         "self_shadow", {"off", "hard", "soft"}, [](auto& key) -> auto& { return key.view.self_shadow.mode; }));
     axes.push_back(only_where(has_soft_shadows, word_axis<SelfShadow::Soft>(
@@ -161,6 +167,7 @@ void append_self_shadow_axes(std::vector<ViewAxis>& axes) {
                    number_axis(
                        "shadow_softening", [](const JsonView& json) { return json.number(0, largest_softening); },
                        [](auto& key) -> auto& { return key.view.self_shadow.softening; })));
+    return axes;
 }
 
 /// What a method has no use for is left at its default.
@@ -210,9 +217,10 @@ std::vector<ViewAxis> make_view_axes() {
     axes.push_back(word_axis<Boundary>(
         "boundary", {"clip", "repeat"}, [](auto& key) -> auto& { return key.view.relief.boundary; }));
     axes.push_back(resolution_axis());
-    append_self_shadow_axes(axes);
-    axes.push_back(word_axis<DepthWrite>(
-        "depth_write", {"on", "off", "conservative"}, [](auto& key) -> auto& { return key.view.depth_write; }));
+    for (ViewAxis& axis : self_shadow_axes())
+        axes.push_back(moving_no_hits(std::move(axis)));
+    axes.push_back(moving_no_hits(word_axis<DepthWrite>(
+        "depth_write", {"on", "off", "conservative"}, [](auto& key) -> auto& { return key.view.depth_write; })));
     return axes;
 }
 
@@ -226,6 +234,13 @@ const std::vector<ViewAxis>& view_axes() {
 const ViewAxis* find_view_axis(const std::string& name) {
     const auto found = std::ranges::find(view_axes(), name, &ViewAxis::name);
     return found == view_axes().end() ? nullptr : &*found;
+}
+
+ViewKey hits_view(ViewKey view) {
+    for (const ViewAxis& axis : view_axes()) {
+        if (!axis.moves_hits) axis.read(JsonView(axis.default_value, axis.name))(view);
+    }
+    return view;
 }
 
 ViewKey make_view(const std::vector<ViewChoice>& choices) {

@@ -22,6 +22,8 @@ struct ViewAxis {
     std::function<Json(const ViewKey&)> value;
     /// What ids leave out: the value that a view has where nothing sets the axis. Null: ids always tell it.
     Json default_value = {};
+    /// Whether what the truth hits depends on it. Not so: how a hit is lit, and what is left in the depth buffer.
+    bool moves_hits = true;
 };
 
 /// In the order of ids and results; heightmap first.
@@ -29,6 +31,9 @@ const std::vector<ViewAxis>& view_axes();
 
 /// Null when there is no such axis.
 const ViewAxis* find_view_axis(const std::string& name);
+
+/// The view with every axis that moves no hits at its default: where these are equal, so are the truth's hits.
+ViewKey hits_view(ViewKey view);
 
 /// One value chosen for an axis.
 struct ViewChoice {

@@ -11,6 +11,7 @@ using namespace reliefbench;
 
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -35,7 +36,7 @@ CellResult measured(const std::string& id, const Figures& figures) {
     errors.missed = figures.missed;
     errors.false_hits = figures.false_hits;
     cell.error = errors;
-    cell.image = CellResult::ImageFields{0.125, 30, 0.9, 0.03};
+    cell.image = CellResult::ImageFields{0.25, 24, 0.8, 0.06, CellResult::FootprintFields{0.125, 30, 0.9, 0.03}};
     return cell;
 }
 
@@ -142,6 +143,55 @@ TEST(Table, EachViewHasItsOwnFront) {
     EXPECT_EQ(lines[4], "");
     EXPECT_EQ(lines[5], "view_angle=60");
     EXPECT_THAT(lines[7], testing::StartsWith("* b"));
+}
+
+/// With the axes of shadows.
+CellResult shadowed(const std::string& setting, const std::string& mode, double ms) {
+    CellResult cell =
+        measured(setting + " | heightmap=bricks" + (mode == "off" ? "" : " self_shadow=" + mode), {ms, 1});
+    cell.axes = {{"heightmap", "bricks"}, {"self_shadow", mode}, {"depth_write", "on"}};
+    if (mode == "off") return cell;
+    cell.error->shadow = CellResult::ShadowErrors{0.0625, 0.1, 0.2, 1000, {}};
+    cell.work->shadow_taps_mean = 21.5;
+    return cell;
+}
+
+TEST(Table, AnAxisThatMovesNoHitsHasItsValuesBelowEachOtherWithWhatShadowsCost) {
+    const auto lines =
+        lines_of(format_table({shadowed("slow", "off", 3), shadowed("fast", "off", 1), shadowed("slow", "hard", 5),
+                               shadowed("fast", "hard", 4), shadowed("slow", "soft", 4), shadowed("fast", "soft", 2)}));
+    EXPECT_EQ(lines[0], "heightmap=bricks");
+    EXPECT_EQ(
+        lines[1],
+        "                                 ms  taps  uv p99   flip  missed %  false %  shadow taps  shadow");
+    EXPECT_EQ(lines[2], "  fast");
+    EXPECT_EQ(
+        lines[3],
+        "*   self_shadow=off   1.000 ± 0.012  17.5    1.00  0.125         0        0            -       -");
+    EXPECT_EQ(
+        lines[4],
+        "*   self_shadow=hard  4.000 ± 0.012  17.5    1.00  0.125         0        0         21.5  0.0625");
+    EXPECT_THAT(lines[5], testing::StartsWith("*   self_shadow=soft  2.000"));
+    EXPECT_EQ(lines[6], "  slow");
+    // Ranked among those with the same shadows.
+    EXPECT_THAT(lines[7], testing::StartsWith("    self_shadow=off   3.000"));
+    EXPECT_THAT(lines[8], testing::StartsWith("    self_shadow=hard  5.000"));
+    EXPECT_THAT(lines[9], testing::StartsWith("    self_shadow=soft  4.000"));
+}
+
+TEST(Table, OneValueOfAnAxisStaysInTheView) {
+    const auto lines = lines_of(format_table({shadowed("a", "hard", 1), shadowed("b", "hard", 2)}));
+    EXPECT_EQ(lines[0], "heightmap=bricks self_shadow=hard");
+    EXPECT_THAT(lines[2], testing::StartsWith("* a "));
+}
+
+TEST(Table, FlipIsOverTheFootprintAndOfTheWholePictureInOldRuns) {
+    CellResult cell = measured("a | v", {});
+    EXPECT_THAT(format_table({cell}), AllOf(HasSubstr(" 0.125 "), HasSubstr("over the footprint")));
+    cell.image->footprint.reset();
+    const std::string old = format_table({cell, measured("b | v", {})});
+    EXPECT_THAT(old, AllOf(HasSubstr(" 0.250 "), Not(HasSubstr(" 0.125 ")), HasSubstr("of the whole picture"),
+                           HasSubstr("relief beyond the quad")));
 }
 
 TEST(Table, TheMarksAreExplained) {

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "store/cell_result.hpp"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace reliefbench {
+
+/// What cells of a run are ranked by, in tables and in advice.
+
+/// Missed and false hits together above this fraction of the footprint: discarding hard pixels wins nothing.
+constexpr double wrong_hits_limit = 0.005;
+
+/// Empty where nothing was compared with a truth.
+std::optional<double> wrong_hits(const CellResult& cell);
+/// Whether the cell's errors count.
+bool hits_within_limit(const CellResult& cell);
+
+/// Of the draw; null where the cell was not timed.
+const PassTiming* draw_timing(const CellResult& cell);
+
+/// Which FLIP ranks cells that are shown together.
+enum class RankingFlip {
+    /// image.footprint.flip
+    footprint,
+    /// image.flip, of runs of version 0.1.0: relief beyond the quad counts in it, which no per-pixel technique can
+    /// draw.
+    whole,
+};
+
+/// Over the footprint, unless some cell has a picture and no figures over its footprint: what is ranked is alike in
+/// all.
+RankingFlip ranking_flip(const std::vector<CellResult>& cells);
+
+std::optional<double> flip_of(const CellResult& cell, RankingFlip flip);
+
+/// "image.footprint.flip"
+std::string_view path_of(RankingFlip flip);
+
+/// "over the footprint"
+std::string_view extent_of(RankingFlip flip);
+
+/// A sentence that has to be said of it; "" for the footprint.
+std::string_view caveat_of(RankingFlip flip);
+
+}  // namespace reliefbench
