@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace reliefbench {
 
@@ -24,6 +25,26 @@ double parse_duration(const std::string& text, const std::string& option) {
         fail("{}: expected a time above 0 and of at most a week, found '{}'", option, text);
     }
     return seconds;
+}
+
+double parse_milliseconds(const std::string& text, const std::string& option) {
+    constexpr double longest_ms = 7.0 * 24 * 3600 * 1000;
+    constexpr std::pair<std::string_view, double> units[] = {{"ms", 1}, {"us", 1e-3}, {"ns", 1e-6}, {"s", 1000}};
+    std::string_view digits = text;
+    double unit_ms = 1;
+    for (const auto& [unit, ms] : units) {
+        if (!digits.ends_with(unit)) continue;
+        digits.remove_suffix(unit.size());
+        unit_ms = ms;
+        break;
+    }
+    const std::optional<double> number = whole_text_as<double>(digits);
+    if (!number) fail("{}: expected a time such as 2ms or 500us, found '{}'", option, text);
+    const double milliseconds = *number * unit_ms;
+    if (!(milliseconds > 0 && milliseconds <= longest_ms)) {
+        fail("{}: expected a time above 0 and of at most a week, found '{}'", option, text);
+    }
+    return milliseconds;
 }
 
 }  // namespace reliefbench

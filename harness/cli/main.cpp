@@ -90,6 +90,7 @@ int main(int argc, char** argv) {
     add_compare_command(app, chosen);
     add_history_command(app, chosen);
     add_export_command(app, chosen);
+    add_advise_command(app, chosen);
     add_report_command(app, chosen);
     add_merge_command(app, chosen);
     add_bench_command(app, chosen);

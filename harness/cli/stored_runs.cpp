@@ -54,4 +54,21 @@ std::vector<StoredRun> read_stored_runs(const std::vector<std::string>& folders)
     return runs;
 }
 
+void keep_cells(std::vector<StoredRun>& runs, const std::vector<std::string>& texts) {
+    if (texts.empty()) return;
+    for (const std::string& text : texts) {
+        const bool found = std::any_of(runs.begin(), runs.end(), [&](const StoredRun& run) {
+            return std::any_of(run.run.cells.begin(), run.run.cells.end(),
+                               [&](const CellResult& cell) { return cell.cell.find(text) != std::string::npos; });
+        });
+        if (!found) fail("--cell: no cell's id contains '{}'; cells.jsonl of a run lists them", text);
+    }
+    for (StoredRun& run : runs) {
+        std::erase_if(run.run.cells, [&](const CellResult& cell) {
+            return std::none_of(texts.begin(), texts.end(),
+                                [&](const std::string& text) { return cell.cell.find(text) != std::string::npos; });
+        });
+    }
+}
+
 }  // namespace reliefbench

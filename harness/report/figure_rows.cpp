@@ -21,7 +21,7 @@ std::string padded(const std::string& text, Alignment alignment, std::size_t wid
 
 std::string format_figure_rows(const std::vector<FigureColumn>& figure_columns,
                                const std::vector<std::vector<std::string>>& figures,
-                               const std::vector<std::string>& ids, std::size_t columns) {
+                               const std::vector<std::string>& ids, std::size_t columns, const std::string& id_title) {
     assert(figures.size() == ids.size());
     std::vector<std::string> titles;
     std::vector<std::size_t> widths;
@@ -44,7 +44,7 @@ std::string format_figure_rows(const std::vector<FigureColumn>& figure_columns,
         }
         return text + std::string(space_between, ' ') + id + '\n';
     };
-    std::string text = line(titles, "cell");
+    std::string text = line(titles, id_title);
     for (std::size_t row = 0; row < figures.size(); ++row) {
         const std::vector<std::string> id = wrap(ids[row], id_width);
         text += line(figures[row], id.front());

@@ -186,6 +186,18 @@ std::string_view to_string(Better better) {
     return "";
 }
 
+bool is_better(double value, double other, Better better) {
+    switch (better) {
+        case Better::lower:
+            return value < other;
+        case Better::higher:
+            return value > other;
+        case Better::neither:
+            return false;
+    }
+    return false;
+}
+
 std::span<const FigureDeclaration> figures() {
     return declarations;
 }

@@ -13,6 +13,9 @@ enum class Better { lower, higher, neither };
 
 std::string_view to_string(Better better);
 
+/// Whether `value` is better than `other`; false for `neither`.
+bool is_better(double value, double other, Better better);
+
 /// A number of a line of cells.jsonl.
 struct FigureDeclaration {
     /// Where it stands in the line: "error.uv_texels.p99"; the bounds of an interval are ".low" and ".high".

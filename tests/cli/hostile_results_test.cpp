@@ -23,6 +23,7 @@ protected:
     std::vector<std::vector<std::string>> readers() const {
         return {{"compare", path("good"), "--", path("bad")},
                 {"history", path("good"), path("bad")},
+                {"advise", path("bad"), "--uv", "1"},
                 {"export", path("bad"), "--format", "csv", "-o", path("made/bad.csv")},
                 {"export", path("bad"), "--format", "github_action"},
                 {"report", path("bad"), "-o", path("made/bad.html")},

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "core/statistics.hpp"
+#include "report/ranking.hpp"
+#include "store/figures.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace reliefbench {
+
+/// What to use, from the cells of a run: docs/report.md has the rules, which the report's page follows too.
+
+/// A figure may be at most so much where lower is better, at least so much where higher is.
+struct AdviceLimit {
+    const FigureDeclaration* figure = nullptr;
+    double value = 0;
+};
+
+struct AdviceRequest {
+    /// All must be kept; on time.draw.median_ms it is the budget. Figures with a direction only.
+    std::vector<AdviceLimit> limits;
+    /// Ranks what keeps to them; with a direction, of error, image or motion.
+    const FigureDeclaration* rank_by = nullptr;
+};
+
+/// A technique with parameters, by its worst view of a group.
+struct AdvisedSetting {
+    std::string setting;
+    std::string technique;
+    double ms = 0;
+    /// Of that view's time.
+    Interval ci95_ms;
+    /// time.ns_per_pixel.
+    std::optional<double> ns_per_pixel;
+    /// Covered pixels over all pixels of the picture: least and greatest of the views.
+    std::optional<Interval> relief_share;
+    double wrong_hits = 0;
+    /// One for each of Advice::figures.
+    std::vector<std::optional<double>> figures;
+};
+
+/// The answer for one kind of view.
+struct ViewAdvice {
+    /// The axes by which this kind differs from the others of the run: "view_angle" and 60.
+    std::vector<std::pair<std::string, Json>> axes;
+    /// By the views' part of their ids.
+    std::vector<std::string> views;
+    /// Settings measured in all of the views, and those that were not.
+    std::size_t settings = 0, incomplete = 0;
+    /// Of the former, those with too many missed and false hits; and how many of these keep to all limits.
+    std::size_t wrong = 0, wrong_within_limits = 0;
+
+    std::optional<AdvisedSetting> best;
+    /// The best of another technique.
+    std::optional<AdvisedSetting> other_technique;
+    /// Within the limits, too, and not to be told from the best: by time, and where that is by error the least error.
+    std::vector<AdvisedSetting> not_told_apart;
+    /// Where nothing keeps to all limits: what comes nearest.
+    std::optional<AdvisedSetting> nearest;
+    /// Beyond the budget, keeping to the other limits: by ascending time, each better than what came before.
+    std::vector<AdvisedSetting> next_better;
+};
+
+struct Advice {
+    AdviceRequest request;
+    /// Shown of each setting: the ranking one first, the limited ones, UV error and FLIP.
+    std::vector<const FigureDeclaration*> figures;
+    RankingFlip flip = RankingFlip::footprint;
+    std::vector<ViewAdvice> views;
+};
+
+/// The FLIP that ranks these cells.
+const FigureDeclaration& ranking_figure(const std::vector<CellResult>& cells);
+
+/// The limit on the draw's time; null where there is none.
+const AdviceLimit* budget_of(const AdviceRequest& request);
+
+/// Of the measured cells. A figure of the request that none of them has is an Error.
+Advice advise(const std::vector<CellResult>& cells, const AdviceRequest& request);
+
+}  // namespace reliefbench
