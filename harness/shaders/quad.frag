@@ -24,6 +24,11 @@ void main() {
                               uv_dy, footprint_level(uv_dx, uv_dy));
     float fade = lod_fade_at(ray, view.entry_t);
     Trace found = trace_faded(ray, fade);
+#ifdef RELIEFBENCH_PROBED
+    // Only a search that could still hit something counts as unconverged. Its ray parameter is that before the fade.
+    if (found.kind == trace_on_ray && !found.converged && !relief_repeats)
+        found.converged = has_left_patch(view.entry + found.s / (1.0 - fade) * max_offset, max_offset);
+#endif
     count_pixel(scene.resolution, gl_FragCoord.xy, found.steps, found.converged);
     if (found.kind == trace_miss) discard;
 

@@ -79,4 +79,11 @@ bool inside_patch(vec2 patch_uv) {
     return all(greaterThanEqual(patch_uv, vec2(0.0))) && all(lessThanEqual(patch_uv, vec2(1.0)));
 }
 
+// Whether who goes on from `patch_uv` along `way` is outside of the patch for ever.
+bool has_left_patch(vec2 patch_uv, vec2 way) {
+    bvec2 below = bvec2(patch_uv.x < 0.0 && way.x <= 0.0, patch_uv.y < 0.0 && way.y <= 0.0);
+    bvec2 above = bvec2(patch_uv.x > 1.0 && way.x >= 0.0, patch_uv.y > 1.0 && way.y >= 0.0);
+    return any(below) || any(above);
+}
+
 #endif

@@ -45,7 +45,7 @@ struct PixelWork {
     std::uint32_t taps = 0;
     std::uint32_t texels = 0;
     std::uint32_t steps = 0;
-    /// Searches that ended by their cap.
+    /// Searches that ended by their cap where they could still have hit something.
     std::uint32_t unconverged = 0;
 };
 

@@ -171,6 +171,37 @@ TEST_F(Draw, TapsAreCountedLiterally) {
     EXPECT_EQ(probe.stages.taps, 0u);
 }
 
+// Rays come 0.2 further up in v on their way: with s = 1 two rows of ten have left the patch, and nothing is there to
+// hit.
+TEST_F(Draw, OnlyASearchThatCouldStillHitCountsAsUnconverged) {
+    const TemporaryTechnique on_ray(
+        Files{{"trace.glsl", "Trace trace(ReliefRay ray) { return unconverged(hit_on_ray(1.0, 0)); }"}});
+    const TemporaryTechnique off_ray(Files{{"trace.glsl", R"(
+        Trace trace(ReliefRay ray) { return unconverged(hit_off_ray(ray.uv + vec2(0.0, 0.2), 0.0, 0)); })"}});
+    const SceneOnDevice scene(device(), bumpy_map(), grey_albedo());
+    View clipped = make_view(45, Projection::parallel, {10, 10});
+    clipped.relief.height_scale = 0.2;
+    View repeated = clipped;
+    repeated.relief.boundary = Boundary::repeat;
+    // Half faded: drawn at s = 0.5, where one of the two rows is inside again; searched to s = 1 all the same.
+    const ParameterValues half_faded{{"lod_fade", "distance"}, {"lod_fade_end", 1.0}, {"lod_fade_width", 2.0}};
+    const auto probe = [&](const TemporaryTechnique& technique, const View& view, const ParameterValues& parameters) {
+        return make_renderer(device(), technique.load(), scene, view, {}, parameters).probe();
+    };
+    const Probe left = probe(on_ray, clipped, {});
+    const Probe faded = probe(on_ray, clipped, half_faded);
+    const Probe endless = probe(on_ray, repeated, {});
+    const Probe anywhere = probe(off_ray, clipped, {});
+    for (int j = 0; j < 10; ++j) {
+        EXPECT_EQ(left.work.at(5, j).unconverged, j >= 2 ? 1u : 0u) << j;
+        EXPECT_EQ(left.hits.at(5, j).is_hit(), j >= 2) << j;
+        EXPECT_EQ(faded.work.at(5, j).unconverged, j >= 2 ? 1u : 0u) << j;
+        EXPECT_EQ(faded.hits.at(5, j).is_hit(), j >= 1) << j;
+        EXPECT_EQ(endless.work.at(5, j).unconverged, 1u) << j;
+        EXPECT_EQ(anywhere.work.at(5, j).unconverged, 1u) << j << ": who left the ray may come back";
+    }
+}
+
 TEST_F(Draw, CoveredIsTheFootprint) {
     const TemporaryTechnique folder(Files{{"trace.glsl", "Trace trace(ReliefRay ray) { return miss(0); }"}});
     const SceneOnDevice scene(device(), bumpy_map(), grey_albedo());
