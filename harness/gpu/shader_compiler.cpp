@@ -159,10 +159,18 @@ SpirV compile_here(const ShaderSource& source, const ChildNote& note) {
     program.addShader(&shader);
     if (!program.link(messages)) fail("{}: {}", source.file, complaints(program.getInfoLog()));
 
-    SpirV words;
     glslang::SpvOptions options;
     options.disableOptimizer = true;
-    glslang::GlslangToSpv(*program.getIntermediate(stage), words, &options);
+    const auto translate = [&] {
+        SpirV words;
+        glslang::GlslangToSpv(*program.getIntermediate(stage), words, &options);
+        return words;
+    };
+    SpirV words = translate();
+    if (source.inspect) {
+        options.generateDebugInfo = true;
+        source.inspect(translate());
+    }
     return words;
 }
 

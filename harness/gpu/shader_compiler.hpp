@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -26,6 +27,9 @@ struct ShaderSource {
     std::map<std::string, std::string> generated;
     /// Text put in front of the file, after #version.
     std::string preamble;
+    /// Called with the same module with its files and lines (OpLine), in the compiler's process; what it throws is
+    /// thrown by compile_shader. May be empty.
+    std::function<void(const SpirV&)> inspect = {};
 };
 
 /// GLSL 4.60 for Vulkan 1.3, #include enabled. An Error has one line per complaint: "file:line: message". glslang has

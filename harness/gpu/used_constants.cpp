@@ -1,14 +1,14 @@
 #include "gpu/used_constants.hpp"
 
+#include "gpu/instructions.hpp"
+
 #include <map>
-#include <span>
 
 namespace reliefbench::gpu {
 
 namespace {
 
 /// SPIR-V 1.6, section 3.
-constexpr std::size_t header_words = 5;
 constexpr std::uint32_t op_ext_inst = 12;
 constexpr std::uint32_t op_type_array = 28;
 constexpr std::uint32_t op_spec_constant_composite = 51;
@@ -31,21 +31,18 @@ std::set<std::uint32_t> used_constants(const SpirV& module) {
     std::map<std::uint32_t, std::uint32_t> constant_ids;  // by the id of their result
     std::set<std::uint32_t> used;
     bool in_functions = false;
-    for (std::size_t at = header_words; at < module.size();) {
-        const std::uint32_t op = module[at] & 0xffffu;
-        const std::size_t words = module[at] >> 16u;
-        const std::span<const std::uint32_t> instruction(&module[at], words);
-        at += words;
+    for_each_instruction(module, [&](const Instruction& instruction) {
+        const auto& [op, words] = instruction;
         in_functions = in_functions || op == op_function;
-        if (op == op_decorate && instruction[2] == decoration_spec_id) constant_ids[instruction[1]] = instruction[3];
+        if (op == op_decorate && words[2] == decoration_spec_id) constant_ids[words[1]] = words[3];
         const bool refers =
             in_functions || op == op_type_array || op == op_spec_constant_composite || op == op_spec_constant_op;
-        if (!refers) continue;
-        for (std::size_t word = 1; word < words; ++word) {
-            const auto constant = constant_ids.find(instruction[word]);
+        if (!refers) return;
+        for (std::size_t word = 1; word < words.size(); ++word) {
+            const auto constant = constant_ids.find(words[word]);
             if (word != literal_word(op) && constant != constant_ids.end()) used.insert(constant->second);
         }
-    }
+    });
     return used;
 }
 

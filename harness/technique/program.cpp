@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "gpu/shader_cache.hpp"
+#include "technique/counted_fetches.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -167,7 +168,8 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
                                         .file = file.file,
                                         .roots = {},
                                         .generated = {},
-                                        .preamble = file.definition + preamble}));
+                                        .preamble = file.definition + preamble,
+                                        .inspect = refuse_uncounted_fetches}));
     }
     return stages;
 }

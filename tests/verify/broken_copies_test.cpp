@@ -211,8 +211,20 @@ TEST_F(BrokenCopies, AMapOfOnesMustBeThePolygon) {
 }
 
 TEST_F(BrokenCopies, TapsMustBeCounted) {
-    const BrokenCopy copy("parallax", "trace.glsl", "tap_height(ray.uv)", "textureLod(height_map, ray.uv, 0.0).r");
+    const BrokenCopy copy("parallax", "taps.glsl", "    count_tap(4u);\n    return textureLod(height_map",
+                          "    return textureLod(height_map");
     expect_failure(copy, "work is counted", check_work);
+}
+
+/// One tap is counted, and another one is not.
+TEST_F(BrokenCopies, NoTapMayBeHiddenBesideOthers) {
+    const BrokenCopy copy("parallax", "trace.glsl", "float h = tap_height(ray.uv);",
+                          "float h = 0.5 * tap_height(ray.uv);\n    h += 0.5 * textureLod(height_map, ray.uv, 0.0).r;");
+    const std::vector<Check> checks = verify_technique(device(), copy.technique());
+    ASSERT_EQ(checks.size(), 1U);
+    EXPECT_FALSE(checks.front().passed);
+    EXPECT_NE(checks.front().detail.find("trace.glsl:4: this fetch would count as no tap"), std::string::npos)
+        << checks.front().detail;
 }
 
 TEST_F(BrokenCopies, AShaderThatDoesNotCompileIsAFailedCheck) {
