@@ -54,6 +54,18 @@ std::string parse_sample_count_name(const JsonView& view, const Manifest& manife
     return name;
 }
 
+/// A name or several of them.
+std::vector<std::string> parse_search_cap(const JsonView& view, const Manifest& manifest) {
+    if (!view.json().is_array()) return {parse_integer_name(view, manifest)};
+    std::vector<std::string> names;
+    for (const JsonView& item : view.items()) {
+        names.push_back(parse_integer_name(item, manifest));
+        if (std::ranges::count(names, names.back()) > 1)
+            item.fail_here(fmt::format("the parameter '{}' is given twice", names.back()));
+    }
+    return names;
+}
+
 void parse_depth(const JsonView& view, const Manifest& manifest, MapDeclaration& map) {
     if (map.mip_chain) view.fail_here("a map of three dimensions has one level; leave \"mip_chain\" out");
     if (!view.json().is_string()) {
@@ -247,7 +259,7 @@ Manifest parse_manifest(const Json& json, const std::string& id, const std::stri
     check_id(id, file);
     const JsonView view(json, file);
     view.require_only({"title", "kind", "citation", "include", "parameters", "sample_count", "sample_count_minimum",
-                       "features", "maps", "passes", "shape", "promises"});
+                       "search_cap", "features", "maps", "passes", "shape", "promises"});
     Manifest manifest;
     manifest.id = id;
     manifest.title = parse_line(view.at("title"));
@@ -265,6 +277,7 @@ Manifest parse_manifest(const Json& json, const std::string& id, const std::stri
             minimum.fail_here("it needs a \"sample_count\", another parameter");
         }
     }
+    if (view.has("search_cap")) manifest.search_cap = parse_search_cap(view.at("search_cap"), manifest);
     if (view.has("features")) {
         for (const JsonView& item : view.at("features").items()) {
             const std::string feature = known_features[item.choice(known_features)];

@@ -2,6 +2,7 @@
 
 #include "measure/cell_figures.hpp"
 #include "measure/memory_need.hpp"
+#include "measure/search_advice.hpp"
 #include "metrics/hit_errors.hpp"
 #include "metrics/image_errors.hpp"
 #include "metrics/shadow_errors.hpp"
@@ -100,8 +101,8 @@ PreparedOrSkipped prepare_cell(const gpu::Device& device, const Technique& techn
         result.status = CellStatus::failed;
         result.reason = fmt::format(
             "{:.0f} % of its pixels left their loop at the iteration cap, unconverged, so that its time would say "
-            "nothing; raise its number of steps",
-            100 * result.work->unconverged);
+            "nothing; {}",
+            100 * result.work->unconverged, advise_longer_search(technique.manifest, cell.parameters));
     }
     result.pipeline = renderer.pipeline_statistics();
     result.executable = renderer.executable_statistics();

@@ -29,7 +29,7 @@ Json complete() {
             {"name": "bias", "type": "real", "default": 0, "range": [-1, 1], "help": "Shift."},
             {"name": "adaptive", "type": "boolean", "default": false, "help": "By angle."},
             {"name": "leaf", "type": "choice", "choices": ["linear", "exact"], "default": "exact", "help": "Leaf."}],
-        "sample_count": "max_steps", "sample_count_minimum": "min_steps",
+        "sample_count": "max_steps", "sample_count_minimum": "min_steps", "search_cap": ["max_steps", "min_steps"],
         "features": ["tessellationShader"],
         "maps": [{"name": "tree", "format": "r16", "size": "next_power_of_two", "mip_chain": true},
                  {"name": "cones", "format": "rg32f", "linear_filter": true}],
@@ -73,6 +73,8 @@ TEST(Manifest, IsReadInFull) {
     EXPECT_THAT(manifest.parameters[5].choices, ElementsAre("linear", "exact"));
     EXPECT_EQ(manifest.sample_count, "max_steps");
     EXPECT_EQ(manifest.sample_count_minimum, "min_steps");
+    EXPECT_THAT(manifest.search_cap, ElementsAre("max_steps", "min_steps"));
+    EXPECT_THAT(parse(with("/search_cap", "binary_steps")).search_cap, ElementsAre("binary_steps"));
     EXPECT_THAT(manifest.features, ElementsAre("tessellationShader"));
     ASSERT_EQ(manifest.maps.size(), 2U);
     EXPECT_EQ(manifest.maps[0].size, MapDeclaration::Size::next_power_of_two);
@@ -191,6 +193,9 @@ TEST(Manifest, WhatIsWrongIsNamedWithItsPlace) {
         {"/sample_count", "\"bias\"", "$.sample_count: the parameter 'bias' must be of type integer"},
         {"/sample_count", "\"binary_steps\"", "must begin at 1 or above"},
         {"/sample_count_minimum", "\"max_steps\"", "$.sample_count_minimum: it needs a \"sample_count\""},
+        {"/search_cap", "\"bias\"", "$.search_cap: the parameter 'bias' must be of type integer"},
+        {"/search_cap", "[\"max_steps\", \"max_step\"]", "$.search_cap[1]: no parameter 'max_step' (did you mean"},
+        {"/search_cap", "[\"max_steps\", \"max_steps\"]", "$.search_cap[1]: the parameter 'max_steps' is given twice"},
         {"/features/0", "\"tesselation\"", "$.features[0]"},
         {"/maps/1/name", "\"tree\"", "$.maps[1].name: the name 'tree' is given twice"},
         {"/maps/1/name", "\"bias\"", "$.maps[1].name: the name 'bias' is given twice"},

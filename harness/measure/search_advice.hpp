@@ -1,0 +1,13 @@
+#pragma once
+
+#include "manifest/manifest.hpp"
+
+#include <string>
+
+namespace reliefbench {
+
+/// What to change where searches end by their cap: the parameters that cap them with their values and their ranges, or,
+/// where the manifest names none, those that might. Completes "...; ".
+std::string advise_longer_search(const Manifest& manifest, const ParameterValues& values);
+
+}  // namespace reliefbench

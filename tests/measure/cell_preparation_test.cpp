@@ -1,0 +1,68 @@
+// Cells that end as failed although they were drawn, on a device with the validation layer on.
+
+#include "measure/cell_preparation.hpp"
+
+#include "technique/test_scene.hpp"
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+namespace reliefbench {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using Files = test::TemporaryTechnique::Files;
+
+class CellPreparation : public test::DeviceTest {
+protected:
+    /// The only cell of a configuration of one technique.
+    static CellResult prepare(const TechniqueLibrary& library, const std::string& technique,
+                              const std::string& parameters = "{}") {
+        const Json json = Json::parse(R"({"name": "test", "techniques": [{"technique": ")" + technique +
+                                      R"(", "parameters": )" + parameters + R"(}],
+            "axes": {"heightmap": "rock", "heightmap_size": "32x32", "view_angle": 75, "projection": "parallel",
+                     "boundary": "repeat", "resolution": "16x16"}})");
+        const Configuration configuration = parse_configuration(json, "test", {}, library.manifests());
+        const std::vector<Cell> cells = expand(configuration, library.manifests());
+        EXPECT_EQ(cells.size(), 1U);
+        SharedInputs inputs(device(), configuration.lighting, configuration.truth);
+        PreparedOrSkipped prepared =
+            prepare_cell(device(), library.get(technique), cells.front(), inputs, configuration, {});
+        EXPECT_EQ(prepared.skip_reason, "");
+        return std::move(prepared.cell->result);
+    }
+
+    static TechniqueLibrary shipped() { return find_techniques({default_technique_root()}); }
+};
+
+TEST_F(CellPreparation, ACellOfUnconvergedPixelsNamesWhatCapsThem) {
+    const CellResult capped = prepare(shipped(), "qdm", R"({"max_steps": 1})");
+    EXPECT_EQ(capped.status, CellStatus::failed);
+    EXPECT_THAT(capped.reason, AllOf(HasSubstr("left their loop at the iteration cap"),
+                                     HasSubstr("raise max_steps (now 1, at most 65536)"), Not(HasSubstr("min_steps"))));
+    EXPECT_TRUE(capped.error->uv_texels) << "its figures are kept";
+    EXPECT_EQ(prepare(shipped(), "qdm").status, CellStatus::ok);
+}
+
+/// Marks every answer, whatever its parameter is.
+Files never_converging(const std::string& parameters, const std::string& more) {
+    return {{"technique.json", test::manifest_json(parameters, more)},
+            {"trace.glsl", "Trace trace(ReliefRay ray) { return unconverged(hit_on_ray(0.5, 1)); }\n"}};
+}
+
+TEST_F(CellPreparation, NothingIsRaisedThatIsAtItsMaximum) {
+    const std::string most = R"({"name": "most", "type": "integer", "default": 8, "range": [1, 8], "help": "h"})";
+    const test::TemporaryTechnique at_most(never_converging(most, R"(, "search_cap": "most")"));
+    const std::string id = at_most.folder().filename();
+    EXPECT_THAT(prepare(find_techniques({at_most.root()}), id).reason,
+                AllOf(HasSubstr("most = 8, which caps it, is at its maximum"), Not(HasSubstr("raise"))));
+    const test::TemporaryTechnique without(never_converging("", ""));
+    EXPECT_THAT(prepare(find_techniques({without.root()}), without.folder().filename()).reason,
+                HasSubstr("the cap stands in its shaders"));
+}
+
+}  // namespace
+}  // namespace reliefbench
