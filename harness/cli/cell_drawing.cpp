@@ -1,6 +1,8 @@
 #include "cli/cell_drawing.hpp"
 
 #include "core/error.hpp"
+#include "core/log.hpp"
+#include "technique/cut_loops.hpp"
 
 #include <utility>
 
@@ -26,7 +28,10 @@ Probe CellDrawing::probe(const Cell& cell) {
     Renderer renderer(*device_, technique, cell.parameters, loaded.scene, view, lighting_, object_);
     const std::string given_up = renderer.prepare(preparation_).given_up;
     if (!given_up.empty()) fail("{}: {} (--preparation-limit SECONDS)", cell.id, given_up);
-    return renderer.probe();
+    Probe probe = renderer.probe();
+    const std::string cut = describe_cut_loops(*device_, probe);
+    if (!cut.empty()) log_warning("{}: {}; its picture is not the technique's", cell.id, cut);
+    return probe;
 }
 
 DrawnCell CellDrawing::beside_truth(const Cell& cell, const Probe& probe) {

@@ -4,8 +4,11 @@
 #include "gpu/device.hpp"
 #include "gpu/vulkan.hpp"
 
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,6 +19,12 @@ namespace reliefbench::gpu {
 struct MessageLog {
     std::mutex mutex;
     std::vector<std::string> messages;
+};
+
+/// What gpu/loop_limit.hpp found, once it has looked.
+struct KnownLoopLimit {
+    bool is_known = false;
+    std::optional<std::uint32_t> iterations;
 };
 
 /// Vulkan's side of a Device. Members are destroyed in reverse order.
@@ -36,6 +45,8 @@ struct DeviceHandles {
     vk::raii::Queue queue{nullptr};
     vk::raii::CommandPool command_pool{nullptr};
     vk::raii::PipelineCache pipeline_cache{nullptr};
+    /// On the heap: found out of a Device that is const.
+    std::unique_ptr<KnownLoopLimit> loop_limit = std::make_unique<KnownLoopLimit>();
 
     /// Whether the device is still there; it has nothing to do then.
     bool wait_until_idle() const;

@@ -7,6 +7,7 @@
 #include "metrics/image_errors.hpp"
 #include "metrics/shadow_errors.hpp"
 #include "metrics/wrong_surface.hpp"
+#include "technique/cut_loops.hpp"
 
 #include <fmt/format.h>
 
@@ -41,6 +42,21 @@ Preparation time_preparation(Renderer& renderer, const Configuration& configurat
     settings.samples = static_cast<int>(std::clamp(affordable, 1.0, static_cast<double>(most)));
     settings.take_kept = false;
     return renderer.prepare(settings);
+}
+
+/// Why a picture that was drawn is not the technique's; empty where it is.
+std::string reason_to_fail(const gpu::Device& device, const Manifest& manifest, const ParameterValues& parameters,
+                           const Probe& probe, const std::optional<CellResult::Work>& work) {
+    const std::string cut = describe_cut_loops(device, probe);
+    if (!cut.empty()) {
+        return fmt::format("{}, so that neither its picture nor its time is the technique's; {}", cut,
+                           advise_shorter_search(manifest, parameters));
+    }
+    if (!work || work->unconverged <= most_unconverged) return {};
+    return fmt::format(
+        "{:.0f} % of its pixels left their loop at the iteration cap, unconverged, so that its time would say nothing; "
+        "{}",
+        100 * work->unconverged, advise_longer_search(manifest, parameters));
 }
 
 /// Why the cell cannot be made on this machine; empty where it can. Nothing is loaded for it.
@@ -97,13 +113,8 @@ PreparedOrSkipped prepare_cell(const gpu::Device& device, const Technique& techn
     result.prepare_ms = preparation_ms(preparation);
     result.prepare_bytes = preparation.bytes;
     result.work = summarize_work(probe);
-    if (result.work && result.work->unconverged > most_unconverged) {
-        result.status = CellStatus::failed;
-        result.reason = fmt::format(
-            "{:.0f} % of its pixels left their loop at the iteration cap, unconverged, so that its time would say "
-            "nothing; {}",
-            100 * result.work->unconverged, advise_longer_search(technique.manifest, cell.parameters));
-    }
+    result.reason = reason_to_fail(device, technique.manifest, cell.parameters, probe, result.work);
+    if (!result.reason.empty()) result.status = CellStatus::failed;
     result.pipeline = renderer.pipeline_statistics();
     result.executable = renderer.executable_statistics();
     const Truth& truth = inputs.truth(cell.view);

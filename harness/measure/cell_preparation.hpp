@@ -13,8 +13,8 @@
 
 namespace reliefbench {
 
-/// A cell that is ready to be sampled, with everything known of it but the draw's time. Its result is failed when more
-/// than half of the pixels left their loop by the iteration cap.
+/// A cell that is ready to be sampled, with everything known of it but the draw's time. Its result is failed where the
+/// device ended loops, and when more than half of the pixels left their loop by the iteration cap.
 struct PreparedCell {
     Renderer renderer;
     CellResult result;

@@ -81,4 +81,14 @@ std::string advise_longer_search(const Manifest& manifest, const ParameterValues
         join(words, " with "));
 }
 
+std::string advise_shorter_search(const Manifest& manifest, const ParameterValues& values) {
+    std::string advice = "give each loop an end of its own that is sooner";
+    const Caps caps = caps_of(manifest, values);
+    std::vector<std::string> words;
+    for (const Parameter* cap : caps)
+        words.push_back(fmt::format("{} (now {})", cap->name, value_of(*cap, values)));
+    if (!words.empty()) advice += fmt::format(", or lower {} if it is what caps them", join(words, " or "));
+    return advice;
+}
+
 }  // namespace reliefbench

@@ -10,4 +10,7 @@ namespace reliefbench {
 /// where the manifest names none, those that might. Completes "...; ".
 std::string advise_longer_search(const Manifest& manifest, const ParameterValues& values);
 
+/// The same where the device ended the loops.
+std::string advise_shorter_search(const Manifest& manifest, const ParameterValues& values);
+
 }  // namespace reliefbench

@@ -18,7 +18,11 @@ layout(location = 0) out vec2 control_corner[];
 // For each invocation of the control stage.
 void pass_corner() { control_corner[gl_InvocationID] = vertex_corner[gl_InvocationID]; }
 
+// The loops that lead to a factor have ended when it is set: a stage that does not count itself is counted here.
 void set_tessellation_factor(float factor) {
+#ifdef RELIEFBENCH_PROBED
+    count_stage();
+#endif
     gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = gl_TessLevelOuter[3] = factor;
     gl_TessLevelInner[0] = gl_TessLevelInner[1] = factor;
 }
@@ -26,6 +30,9 @@ void set_tessellation_factor(float factor) {
 // Of the sides of a quad between corners 0 and 2, 0 and 1, 1 and 3, 2 and 3. The inside is as fine as the finer of two
 // opposite sides.
 void set_side_factors(vec4 sides) {
+#ifdef RELIEFBENCH_PROBED
+    count_stage();
+#endif
     for (int i = 0; i < 4; ++i) gl_TessLevelOuter[i] = sides[i];
     gl_TessLevelInner[0] = max(sides[1], sides[3]);
     gl_TessLevelInner[1] = max(sides[0], sides[2]);
@@ -33,6 +40,9 @@ void set_side_factors(vec4 sides) {
 
 // Of the sides of a triangle between corners 1 and 2, 2 and 0, 0 and 1.
 void set_side_factors(vec3 sides) {
+#ifdef RELIEFBENCH_PROBED
+    count_stage();
+#endif
     for (int i = 0; i < 3; ++i) gl_TessLevelOuter[i] = sides[i];
     gl_TessLevelInner[0] = max(sides.x, max(sides.y, sides.z));
 }

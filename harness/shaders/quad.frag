@@ -4,7 +4,17 @@
 #include "relief.glsl"
 #include "scene.glsl"
 #include "surface.glsl"
+#ifdef RELIEFBENCH_PROBED
+#include "work.glsl"
+// A pixel that a technique discards has done its work all the same.
+void discard_counted() {
+    count_pixel(scene.resolution, gl_FragCoord.xy, 0, true);
+    discard;
+}
+#define discard discard_counted()
+#endif
 #include "trace.glsl"
+#undef discard
 #include "self_shadow.glsl"
 #include "work.glsl"
 
@@ -23,6 +33,9 @@ void main() {
     ReliefRay ray = ReliefRay(uv, scene.tiling * max_offset, -view.direction, scene.tiling * scene.height_scale, uv_dx,
                               uv_dy, footprint_level(uv_dx, uv_dy));
     float fade = lod_fade_at(ray, view.entry_t);
+#ifdef RELIEFBENCH_PROBED
+    begin_search(scene.resolution, gl_FragCoord.xy);
+#endif
     Trace found = trace_faded(ray, fade);
 #ifdef RELIEFBENCH_PROBED
     // Only a search that could still hit something counts as unconverged. Its ray parameter is that before the fade.
@@ -51,8 +64,15 @@ void main() {
 #endif
     gl_FragDepth = depth;
 #endif
+#ifdef RELIEFBENCH_PROBED
+    // The searches of its shadows are this invocation's, too.
+    begin_search(scene.resolution, gl_FragCoord.xy);
+#endif
     // The polygon has no shadows; those of the relief fade with it.
     vec3 visibility = vec3(1.0);
     if (!found.flat_normal && fade < 1.0) visibility = mix(light_visibility(hit.xy, ray), visibility, fade);
+#ifdef RELIEFBENCH_PROBED
+    end_search(scene.resolution, gl_FragCoord.xy);
+#endif
     write_surface(hit, view.direction, found.flat_normal, visibility);
 }

@@ -8,14 +8,18 @@ layout(set = 0, binding = 1) uniform sampler2D height_map;     // bilinear, repe
 layout(set = 0, binding = 2) uniform sampler2D height_texels;  // the same texels unfiltered, repeating
 
 #ifdef RELIEFBENCH_PROBED
-uint counted_taps = 0u;
-uint counted_texels = 0u;
+#include "work_counters.glsl"
 #endif
 
 void count_tap(uint texels) {
 #ifdef RELIEFBENCH_PROBED
+#if defined(RELIEFBENCH_CONTROL) || defined(RELIEFBENCH_EVALUATION)
+    atomicAdd(work.stage_taps, 1u);
+    atomicAdd(work.stage_texels, texels);
+#else
     counted_taps += 1u;
     counted_texels += texels;
+#endif
 #endif
 }
 

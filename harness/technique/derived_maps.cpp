@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "gpu/commands.hpp"
+#include "gpu/loop_limit.hpp"
 #include "technique/map_cache.hpp"
 
 #include <algorithm>
@@ -23,6 +24,14 @@ double total_ms(const Preparation& preparation) {
     for (const auto& [pass, samples] : preparation.pass_ms)
         sum = std::accumulate(samples.begin(), samples.end(), sum);
     return sum;
+}
+
+/// Whether the slice of this number has its loops looked at, which takes as long as the slice: the first ones, of which
+/// each is longer than the one before, and then an eighth.
+bool is_probed(int slice) {
+    constexpr int slices_that_grow = 8;
+    constexpr int every = 8;
+    return slice < slices_that_grow || slice % every == 0;
 }
 
 /// Empty while it may go on. Slices that get cheaper leave no estimate: only what has passed counts.
@@ -134,12 +143,13 @@ bool DerivedMaps::make(const PreparationSettings& settings, Preparation& result)
     {
         std::vector<PreparationPass> passes;
         for (const CompiledPass& pass : passes_)
-            passes.emplace_back(*device_, technique_->manifest, pass, maps_, *scene_);
+            passes.emplace_back(*device_, *technique_, pass, maps_, *scene_);
         for (int sample = 0; sample < settings.samples && finished; ++sample) {
             change_layouts(vk::ImageLayout::eUndefined, vk::ImageLayout::eGeneral);
             finished = std::ranges::all_of(
                 passes, [&](const PreparationPass& pass) { return run_pass(pass, settings, result); });
             change_layouts(vk::ImageLayout::eGeneral, vk::ImageLayout::eShaderReadOnlyOptimal);
+            loops_probed_ = finished;
         }
     }
     for (std::size_t map = 0; map < maps_.size(); ++map) {
@@ -153,6 +163,7 @@ bool DerivedMaps::run_pass(const PreparationPass& pass, const PreparationSetting
     const PassDeclaration& declaration = pass.declaration();
     if (!declaration.sliced) {
         result.pass_ms[declaration.name].push_back(pass.run());
+        if (!loops_probed_) pass.probe();
         return true;
     }
     // Of this preparation; earlier samples are not its cost.
@@ -160,12 +171,14 @@ bool DerivedMaps::run_pass(const PreparationPass& pass, const PreparationSetting
     SlicePlan plan = pass.plan(scene_->size);
     pass.warm_up();
     while (!plan.is_done()) {
+        if (!loops_probed_ && is_probed(plan.slices())) pass.probe(plan.next());
         plan.took(pass.run(plan.next()));
         result.given_up = reason_to_give_up(declaration, plan, earlier_ms, settings.limit_s);
         if (!result.given_up.empty()) return false;
         if (settings.on_progress) {
             const double remaining_s = (plan.estimated_ms() - plan.elapsed_ms()) / ms_per_s;
-            settings.on_progress({declaration.name, plan.fraction(), declaration.sliced->ends_early ? -1 : remaining_s});
+            settings.on_progress(
+                {declaration.name, plan.fraction(), declaration.sliced->ends_early ? -1 : remaining_s});
         }
     }
     result.pass_ms[declaration.name].push_back(plan.elapsed_ms());
@@ -184,6 +197,8 @@ std::string DerivedMaps::key() const {
     const gpu::DeviceInfo& device = device_->info();
     std::string text = fmt::format("height map {}\ndevice {} {} {}\n", scene_->height_map_hash, device.name,
                                    device.driver, device.driver_version);
+    // What was kept before loops were looked at may have been cut.
+    if (gpu::loop_limit(*device_)) text += "loops probed\n";
     for (const MapDeclaration& map : technique_->manifest.maps)
         text += fmt::format("map {} {} {} {} {}\n", map.name, map.format, static_cast<int>(map.size), map.mip_chain,
                             map.slices(parameters_));

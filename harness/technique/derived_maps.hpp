@@ -42,6 +42,7 @@ private:
     DerivedMap make_map(const MapDeclaration& declaration) const;
     /// Of all maps that there are.
     void change_layouts(vk::ImageLayout from, vk::ImageLayout to) const;
+    /// False when it was given up.
     bool run_pass(const PreparationPass& pass, const PreparationSettings& settings, Preparation& result) const;
 
     const gpu::Device* device_;
@@ -52,6 +53,8 @@ private:
     std::vector<CompiledPass> passes_;
     /// In the manifest's order; scratch maps exist only while others are made.
     std::vector<std::optional<DerivedMap>> maps_;
+    /// Whether they have been made once with their passes' loops looked at.
+    bool loops_probed_ = false;
 };
 
 /// How the images of maps are used.

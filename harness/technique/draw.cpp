@@ -4,7 +4,6 @@
 #include "scene/colour.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 namespace reliefbench {
 
@@ -12,8 +11,6 @@ namespace {
 
 constexpr vk::Format depth_format = vk::Format::eD32Sfloat;
 constexpr std::uint32_t object_vertices = 3;
-/// Numbers for each pixel, and for all stages before the fragment stage together (work.glsl).
-constexpr std::size_t work_values = 4;
 
 /// lavapipe (Mesa 22.3) numbers the vertices that tessellation makes in one draw with 16 bits and silently connects
 /// wrong ones beyond; 15 patches at the largest factor, of 65·65 vertices each, stay below. It also takes time that
@@ -81,9 +78,8 @@ Draw::Draw(const gpu::Device& device, const Technique& technique, Kind kind, con
         clears_.push_back({.float32 = std::array<float, 4>{0, 0, 0, -1}});
         clears_.push_back({.float32 = std::array<float, 4>{1, 1, 1, 0}});
         const std::size_t pixels = std::size_t{extent_.width} * extent_.height;
-        work_.emplace(device, (1 + pixels) * work_values * sizeof(std::uint32_t),
-                      vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst, true);
-        bindings.push_back(gpu::storage_buffer(binding::work, work_->buffer));
+        work_.emplace(device, pixels);
+        bindings.push_back(gpu::storage_buffer(binding::work, work_->buffer()));
     }
     pipeline_ = gpu::make_graphics_pipeline(device, options, bindings);
     if (!setup.object || kind == Kind::probed) return;
@@ -99,10 +95,7 @@ void Draw::begin(const vk::raii::CommandBuffer& commands) const {
                            vk::ImageLayout::eColorAttachmentOptimal);
     gpu::change_layout(commands, *depth_.image, depth_.all(), vk::ImageLayout::eUndefined,
                        vk::ImageLayout::eDepthAttachmentOptimal);
-    if (work_) {
-        commands.fillBuffer(*work_->buffer, 0, VK_WHOLE_SIZE, 0);
-        gpu::full_barrier(commands);
-    }
+    if (work_) work_->clear(commands);
 }
 
 void Draw::record(const vk::raii::CommandBuffer& commands) const {
@@ -139,12 +132,6 @@ std::vector<std::byte> Draw::read_target(std::size_t colour_target) const {
 
 std::vector<std::byte> Draw::read_depth() const {
     return gpu::read_texture(*device_, depth_, 0, vk::ImageLayout::eDepthAttachmentOptimal);
-}
-
-std::vector<std::uint32_t> Draw::read_work() const {
-    std::vector<std::uint32_t> values(work_->size / sizeof(std::uint32_t));
-    std::memcpy(values.data(), work_->mapped, work_->size);
-    return values;
 }
 
 gpu::ExecutableStatistics read_executable_statistics(const gpu::Device& device, const Technique& technique,

@@ -8,6 +8,7 @@
 #include "technique/object_draw.hpp"
 #include "technique/program.hpp"
 #include "technique/renderer.hpp"
+#include "technique/work_counters.hpp"
 
 #include <array>
 #include <optional>
@@ -46,8 +47,8 @@ public:
     /// Row 0 is the top. After the submission has ended.
     std::vector<std::byte> read_target(std::size_t colour_target) const;
     std::vector<std::byte> read_depth() const;
-    /// Probed only: four numbers of the stages, then four for each pixel.
-    std::vector<std::uint32_t> read_work() const;
+    /// Probed only.
+    const WorkCounters& work() const { return *work_; }
 
 private:
     const gpu::Device* device_;
@@ -57,7 +58,7 @@ private:
     std::vector<gpu::Texture> colours_;
     std::vector<vk::ClearColorValue> clears_;
     gpu::Texture depth_;
-    std::optional<gpu::Buffer> work_;
+    std::optional<WorkCounters> work_;
     gpu::Pipeline pipeline_;
     std::optional<gpu::Pipeline> object_pipeline_;
 };

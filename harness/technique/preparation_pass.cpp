@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "gpu/commands.hpp"
+#include "gpu/loop_limit.hpp"
 #include "gpu/timers.hpp"
 #include "gpu/used_constants.hpp"
 #include "technique/program.hpp"
@@ -39,7 +40,10 @@ std::uint32_t groups(std::uint32_t texels) {
 
 CompiledPass compile(const gpu::Device& device, const Technique& technique, const PassDeclaration& declaration,
                      const ParameterValues& parameters) {
-    CompiledPass pass{&declaration, compile_pass(device, technique, parameters, declaration), {}};
+    CompiledPass pass{
+        &declaration, compile_pass(device, technique, parameters, declaration, Variant::timed), std::nullopt, {}};
+    if (gpu::loop_limit(device))
+        pass.probed = compile_pass(device, technique, parameters, declaration, Variant::probed);
     const std::set<std::uint32_t> used = gpu::used_constants(*pass.shader.code);
     for (const auto& [id, value] : parameter_constants(technique.manifest, parameters)) {
         if (used.contains(id)) pass.constants.emplace(id, value);
@@ -47,10 +51,11 @@ CompiledPass compile(const gpu::Device& device, const Technique& technique, cons
     return pass;
 }
 
-PreparationPass::PreparationPass(const gpu::Device& device, const Manifest& manifest, const CompiledPass& compiled,
+PreparationPass::PreparationPass(const gpu::Device& device, const Technique& technique, const CompiledPass& compiled,
                                  const std::vector<std::optional<DerivedMap>>& maps,
                                  const SceneOnDevice::Textures& scene)
-    : device_(&device), declaration_(compiled.declaration) {
+    : device_(&device), technique_(&technique), declaration_(compiled.declaration) {
+    const Manifest& manifest = technique.manifest;
     const gpu::Texture& target = maps[index_of_map(manifest, declaration_->writes)]->texture;
     slices_ = std::max(target.slices, 1u);
     const bool above_base = declaration_->levels == PassDeclaration::Levels::above_base;
@@ -69,10 +74,17 @@ PreparationPass::PreparationPass(const gpu::Device& device, const Manifest& mani
                                                   vk::ImageLayout::eGeneral));
         level_sizes_.push_back(target.level_extent(level));
     }
-    const gpu::ComputePipelineOptions options{
-        .shader = compiled.shader, .constants = compiled.constants, .push_constant_bytes = sizeof(PassRange)};
     // A map of one texel has no level above its base.
-    if (!sets.empty()) pipeline_ = gpu::make_compute_pipeline(device, options, sets);
+    if (sets.empty()) return;
+    gpu::ComputePipelineOptions options{
+        .shader = compiled.shader, .constants = compiled.constants, .push_constant_bytes = sizeof(PassRange)};
+    pipeline_ = gpu::make_compute_pipeline(device, options, sets);
+    if (!compiled.probed) return;
+    WorkCounters work(device, 0);
+    for (std::vector<gpu::Binding>& bindings : sets)
+        bindings.push_back(gpu::storage_buffer(binding::work, work.buffer()));
+    options.shader = *compiled.probed;
+    probe_.emplace(Probe{gpu::make_compute_pipeline(device, options, sets), std::move(work)});
 }
 
 SlicePlan PreparationPass::plan(Resolution height_map) const {
@@ -85,38 +97,78 @@ SlicePlan PreparationPass::plan(Resolution height_map) const {
 }
 
 double PreparationPass::run() const {
-    return dispatch(Slice{}, std::nullopt);
+    return time({});
 }
 
 double PreparationPass::run(const Slice& slice) const {
-    return declaration_->sliced->over == Slicing::Over::sources ? dispatch(slice, std::nullopt)
-                                                                : dispatch(Slice{}, slice);
+    return time(range_of(slice));
 }
 
 void PreparationPass::warm_up() const {
     run(declaration_->sliced->over == Slicing::Over::sources ? Slice{} : Slice{0, 1});
 }
 
-double PreparationPass::dispatch(const Slice& sources, const std::optional<Slice>& group_rows) const {
+void PreparationPass::probe() const {
+    probe_range({});
+}
+
+void PreparationPass::probe(const Slice& slice) const {
+    probe_range(range_of(slice));
+}
+
+PreparationPass::Range PreparationPass::range_of(const Slice& slice) const {
+    if (declaration_->sliced->over == Slicing::Over::sources) return {slice, std::nullopt};
+    return {{}, slice};
+}
+
+double PreparationPass::time(const Range& range) const {
     const gpu::Timestamps timestamps(*device_, 1);
     gpu::submit_and_wait(*device_, "prepare the derived maps", [&](const vk::raii::CommandBuffer& commands) {
         timestamps.reset(commands);
         timestamps.start(commands, 0);
-        for (std::size_t i = 0; i < level_sizes_.size(); ++i) {
-            const Slice rows = group_rows.value_or(Slice{0, groups(level_sizes_[i].height)});
-            const PassRange range{.level = static_cast<std::int32_t>(first_level_ + i),
-                                  .slice_begin = static_cast<std::int32_t>(sources.begin),
-                                  .slice_end = static_cast<std::int32_t>(sources.end),
-                                  .first_row = static_cast<std::int32_t>(rows.begin * workgroup_side)};
-            pipeline_.bind(commands, i);
-            commands.pushConstants<PassRange>(pipeline_.layout(), vk::ShaderStageFlagBits::eCompute, 0, range);
-            commands.dispatch(groups(level_sizes_[i].width), static_cast<std::uint32_t>(rows.end - rows.begin),
-                              slices_);
-            gpu::full_barrier(commands);
-        }
+        dispatch(commands, pipeline_, range);
         timestamps.end(commands, 0);
     });
     return timestamps.milliseconds().front();
+}
+
+void PreparationPass::dispatch(const vk::raii::CommandBuffer& commands, const gpu::Pipeline& pipeline,
+                               const Range& range) const {
+    for (std::size_t i = 0; i < level_sizes_.size(); ++i) {
+        const Slice rows = range.group_rows.value_or(Slice{0, groups(level_sizes_[i].height)});
+        const PassRange values{.level = static_cast<std::int32_t>(first_level_ + i),
+                               .slice_begin = static_cast<std::int32_t>(range.sources.begin),
+                               .slice_end = static_cast<std::int32_t>(range.sources.end),
+                               .first_row = static_cast<std::int32_t>(rows.begin * workgroup_side)};
+        pipeline.bind(commands, i);
+        commands.pushConstants<PassRange>(pipeline.layout(), vk::ShaderStageFlagBits::eCompute, 0, values);
+        commands.dispatch(groups(level_sizes_[i].width), static_cast<std::uint32_t>(rows.end - rows.begin), slices_);
+        gpu::full_barrier(commands);
+    }
+}
+
+void PreparationPass::probe_range(const Range& range) const {
+    if (!probe_) return;
+    gpu::submit_and_wait(*device_, "probe a preparation pass", [&](const vk::raii::CommandBuffer& commands) {
+        probe_->work.clear(commands);
+        dispatch(commands, probe_->pipeline, range);
+    });
+    if (probe_->work.stages().cuts == 0) return;
+    fail("technique '{}': the pass '{}' does not come to its end, so that its map '{}' would be another one: {}; {}",
+         technique_->manifest.id, declaration_->name, declaration_->writes, gpu::describe_loop_limit(*device_),
+         remedy());
+}
+
+std::string PreparationPass::remedy() const {
+    const std::string sooner = "give its loops an end that is sooner";
+    if (!declaration_->sliced) return sooner + ", or cut its search into slices (\"sliced\" in technique.json)";
+    if (declaration_->sliced->over == Slicing::Over::rows)
+        return "slices of rows leave each texel all of its iterations: " + sooner +
+               ", or cut the pass over \"sources\"";
+    return fmt::format(
+        "its slices are as long as \"iterations\": {} in technique.json allows, which must be as many as a texel "
+        "searched takes at most",
+        declaration_->sliced->iterations);
 }
 
 }  // namespace reliefbench

@@ -7,8 +7,10 @@
 #include "technique/scene_textures.hpp"
 #include "technique/slice_plan.hpp"
 #include "technique/technique.hpp"
+#include "technique/work_counters.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace reliefbench {
@@ -22,6 +24,8 @@ struct DerivedMap {
 struct CompiledPass {
     const PassDeclaration* declaration = nullptr;
     gpu::CompiledStage shader;
+    /// Where the device ends loops.
+    std::optional<gpu::CompiledStage> probed;
     gpu::SpecializationValues constants;
 };
 
@@ -32,7 +36,7 @@ CompiledPass compile(const gpu::Device& device, const Technique& technique, cons
 class PreparationPass {
 public:
     /// `maps` in the manifest's order; those that the pass may read or writes exist.
-    PreparationPass(const gpu::Device& device, const Manifest& manifest, const CompiledPass& compiled,
+    PreparationPass(const gpu::Device& device, const Technique& technique, const CompiledPass& compiled,
                     const std::vector<std::optional<DerivedMap>>& maps, const SceneOnDevice::Textures& scene);
 
     const PassDeclaration& declaration() const { return *declaration_; }
@@ -46,14 +50,34 @@ public:
     /// Lets the driver compile what it compiles at first use; what it writes the first slice writes again.
     void warm_up() const;
 
+    /// Does the work of `run` without writing anything. Throws Error where the device ended its loops, which makes the
+    /// map another one than the pass's; where the device ends none, it does nothing. With a slice: before that is run.
+    void probe() const;
+    void probe(const Slice& slice) const;
+
 private:
-    /// Rows of workgroups; nothing: all of each level.
-    double dispatch(const Slice& sources, const std::optional<Slice>& group_rows) const;
+    /// The work of a dispatch: texels searched, and rows of workgroups (nothing: all of each level).
+    struct Range {
+        Slice sources;
+        std::optional<Slice> group_rows;
+    };
+    struct Probe {
+        gpu::Pipeline pipeline;
+        WorkCounters work;
+    };
+
+    Range range_of(const Slice& slice) const;
+    double time(const Range& range) const;
+    void dispatch(const vk::raii::CommandBuffer& commands, const gpu::Pipeline& pipeline, const Range& range) const;
+    void probe_range(const Range& range) const;
+    std::string remedy() const;
 
     const gpu::Device* device_;
+    const Technique* technique_;
     const PassDeclaration* declaration_;
     /// One descriptor set for each level written.
     gpu::Pipeline pipeline_;
+    std::optional<Probe> probe_;
     std::uint32_t first_level_;
     std::vector<vk::Extent2D> level_sizes_;
     /// Of each level; 1 for a map of two dimensions.

@@ -15,6 +15,7 @@ namespace reliefbench {
 namespace {
 
 constexpr const char* pass_file = "pass.glsl";
+constexpr const char* probed_definition = "#define RELIEFBENCH_PROBED 1\n";
 
 /// Values of the constant self_shadow in scene.glsl.
 namespace self_shadow_method {
@@ -143,7 +144,7 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
                                              DepthWrite depth_write) {
     const Manifest& manifest = technique.manifest;
     const bool probed = variant == Variant::probed;
-    std::string preamble = probed ? "#define RELIEFBENCH_PROBED 1\n" : "";
+    std::string preamble = probed ? probed_definition : "";
     if (indexes_scene(device)) preamble += "#define RELIEFBENCH_INDEXED_SCENE 1\n";
     if (marches(manifest.kind)) preamble += "#define RELIEFBENCH_OWN_MARCH 1\n";
     if (depth_write != DepthWrite::off) preamble += "#define RELIEFBENCH_WRITE_DEPTH 1\n";
@@ -175,9 +176,10 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
 }
 
 gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& technique,
-                                const ParameterValues& parameters, const PassDeclaration& pass) {
+                                const ParameterValues& parameters, const PassDeclaration& pass, Variant variant) {
     const Manifest& manifest = technique.manifest;
-    std::string preamble = declare_parameters(manifest, parameters);
+    const bool probed = variant == Variant::probed;
+    std::string preamble = (probed ? probed_definition : "") + declare_parameters(manifest, parameters);
     for (const std::size_t map : maps_before(manifest, pass))
         preamble += declare_map(manifest.maps[map], map);
     const MapDeclaration& target = find_map(manifest, pass.writes);
@@ -188,7 +190,9 @@ gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& tech
     if (target.is_volume()) preamble += "#define RELIEFBENCH_VOLUME 1\n";
     if (folds) preamble += "#define RELIEFBENCH_FOLDS 1\n";
     if (pass.levels == PassDeclaration::Levels::above_base) preamble += "#define RELIEFBENCH_ABOVE_BASE 1\n";
-    return compile_stage(device, technique, pass.name + compile_time_key(manifest, parameters),
+    const std::string key =
+        fmt::format("{}{}{}", pass.name, probed ? " probed" : "", compile_time_key(manifest, parameters));
+    return compile_stage(device, technique, key,
                          {.stage = gpu::ShaderStage::compute,
                           .file = "prepare.comp",
                           .roots = {},

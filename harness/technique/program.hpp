@@ -44,7 +44,7 @@ inline constexpr std::uint32_t first_parameter = 16;
 /// that, within the timestamps (3 ms and more a draw), and keeps it until the pipeline is gone (1 MB a submission).
 bool indexes_scene(const gpu::Device& device);
 
-/// The two compilations of a technique's draw.
+/// The two compilations of a technique's draw, and of its passes.
 enum class Variant { timed, probed };
 
 /// All stages of a technique's draw, from the device's shader cache where they have been compiled before. What does not
@@ -53,8 +53,9 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
                                              const ParameterValues& parameters, Variant variant,
                                              DepthWrite depth_write);
 
+/// Probed it does the same work, writes nothing, and tells whether the device ended its loops.
 gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& technique,
-                                const ParameterValues& parameters, const PassDeclaration& pass);
+                                const ParameterValues& parameters, const PassDeclaration& pass, Variant variant);
 
 /// A parameter's value as the 32 bits of its specialization constant.
 gpu::SpecializationValues parameter_constants(const Manifest& manifest, const ParameterValues& values);

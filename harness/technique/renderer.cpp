@@ -20,9 +20,6 @@ namespace reliefbench {
 namespace {
 
 constexpr std::uint32_t quad_corners = 4;
-/// work.glsl: the bit beside the count of unconverged searches that says that a fragment ran.
-constexpr std::uint32_t covered_bit = 0x80000000u;
-constexpr std::size_t work_values = 4;
 
 template <typename Texel>
 Image<Texel> to_image(Resolution size, const std::vector<std::byte>& bytes) {
@@ -33,8 +30,16 @@ Image<Texel> to_image(Resolution size, const std::vector<std::byte>& bytes) {
     return image;
 }
 
-PixelWork to_work(const std::uint32_t* values) {
-    return {.taps = values[0], .texels = values[1], .steps = values[2], .unconverged = values[3] & ~covered_bit};
+PixelWork to_work(const WorkCounters::Pixel& pixel) {
+    return {.taps = pixel.taps,
+            .texels = pixel.texels,
+            .steps = pixel.steps,
+            .unconverged = pixel.unconverged(),
+            .cut = pixel.is_cut()};
+}
+
+PixelWork to_work(const WorkCounters::Stages& stages) {
+    return {.taps = stages.taps, .texels = stages.texels, .cut = stages.cuts > 0};
 }
 
 gpu::Buffer upload_uniforms(const gpu::Device& device, const SceneUniforms& uniforms) {
@@ -186,7 +191,6 @@ Probe Renderer::State::probe(const DrawSetup& from) const {
     const Resolution size = view.resolution;
     const auto colours = to_image<std::array<float, 4>>(size, draw.read_target(0));
     const auto shadows = to_image<std::array<float, 4>>(size, draw.read_target(2));
-    const std::vector<std::uint32_t> work = draw.read_work();
     Probe probe{.hits = to_image<Hit>(size, draw.read_target(1)),
                 .colour = Image<std::array<float, 3>>(size),
                 .covered = Image<std::uint8_t>(size),
@@ -194,16 +198,16 @@ Probe Renderer::State::probe(const DrawSetup& from) const {
                 .light_visibility = Image<std::array<float, 3>>(size),
                 .shadow_taps = Image<std::uint32_t>(size),
                 .front = std::nullopt,
-                .stages = to_work(work.data())};
+                .stages = to_work(draw.work().stages())};
     for (std::size_t i = 0; i < size.pixels(); ++i) {
         const std::array<float, 4>& colour = colours.texels[i];
         probe.colour.texels[i] = {colour[0], colour[1], colour[2]};
         const std::array<float, 4>& shadow = shadows.texels[i];
         probe.light_visibility.texels[i] = {shadow[0], shadow[1], shadow[2]};
         probe.shadow_taps.texels[i] = static_cast<std::uint32_t>(shadow[3]);
-        const std::uint32_t* const values = &work[(1 + i) * work_values];
-        probe.work.texels[i] = to_work(values);
-        probe.covered.texels[i] = static_cast<std::uint8_t>((values[3] & covered_bit) != 0);
+        const WorkCounters::Pixel work = draw.work().pixel(i);
+        probe.work.texels[i] = to_work(work);
+        probe.covered.texels[i] = static_cast<std::uint8_t>(work.is_covered());
     }
     return probe;
 }

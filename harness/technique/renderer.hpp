@@ -47,6 +47,8 @@ struct PixelWork {
     std::uint32_t steps = 0;
     /// Searches that ended by their cap where they could still have hit something.
     std::uint32_t unconverged = 0;
+    /// Whether the device ended its loops, or those of a pixel that it runs beside it (gpu/loop_limit.hpp).
+    bool cut = false;
 };
 
 /// One draw of the probed compilation.
@@ -64,7 +66,8 @@ struct Probe {
     /// What is in front, as the timed compilation's depths decide it; `hits` are the relief's, whatever covers them.
     /// Empty without an object.
     std::optional<Image<Front>> front;
-    /// Taps and texels of vertex and tessellation stages, summed over the draw.
+    /// Taps and texels of vertex and tessellation stages, summed over the draw, and whether any of their loops were
+    /// cut.
     PixelWork stages;
 };
 

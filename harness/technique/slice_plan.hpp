@@ -22,6 +22,8 @@ public:
     Slice next() const;
     void took(double milliseconds);
 
+    /// How many have been timed.
+    int slices() const { return slices_; }
     /// Of the whole search in [0, 1].
     double fraction() const { return static_cast<double>(done_) / static_cast<double>(sources_); }
     double elapsed_ms() const { return elapsed_ms_; }

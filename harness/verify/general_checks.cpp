@@ -1,6 +1,7 @@
 #include "verify/general_checks.hpp"
 
 #include "gpu/device.hpp"
+#include "technique/cut_loops.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -226,9 +227,11 @@ void check_work(CheckList& list) {
         const bool reads_the_relief = relief.hits.texels != probe_map(ones).hits.texels;
         const double taps = total_taps(relief);
         const std::size_t uncounted = pixels_with_steps_but_no_taps(relief);
-        return {(taps > 0) == reads_the_relief && uncounted == 0,
-                fmt::format("{:.3g} taps in all; hits {} on the relief; {} pixels with steps but no texel read", taps,
-                            reads_the_relief ? "depend" : "do not depend", uncounted)};
+        const std::string cut = describe_cut_loops(list.device(), relief);
+        return {
+            (taps > 0) == reads_the_relief && uncounted == 0 && cut.empty(),
+            fmt::format("{:.3g} taps in all; hits {} on the relief; {} pixels with steps but no texel read{}{}", taps,
+                        reads_the_relief ? "depend" : "do not depend", uncounted, cut.empty() ? "" : "; ", cut)};
     });
 }
 

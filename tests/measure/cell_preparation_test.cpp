@@ -2,6 +2,7 @@
 
 #include "measure/cell_preparation.hpp"
 
+#include "gpu/loop_limit.hpp"
 #include "technique/test_scene.hpp"
 
 #include <gmock/gmock.h>
@@ -62,6 +63,22 @@ TEST_F(CellPreparation, NothingIsRaisedThatIsAtItsMaximum) {
     const test::TemporaryTechnique without(never_converging("", ""));
     EXPECT_THAT(prepare(find_techniques({without.root()}), without.folder().filename()).reason,
                 HasSubstr("the cap stands in its shaders"));
+}
+
+TEST_F(CellPreparation, ACellWhoseLoopsTheDeviceEndedIsFailed) {
+    if (!gpu::loop_limit(device())) GTEST_SKIP() << "the device ends no loops";
+    const test::TemporaryTechnique endless(Files{{"trace.glsl", R"(
+        Trace trace(ReliefRay ray) {
+            int n = 0;
+            while (tap_height(ray.uv) > -1.0) n += 1;
+            return hit_on_ray(1.0 - tap_height(ray.uv), n);
+        })"}});
+    const CellResult result = prepare(find_techniques({endless.root()}), endless.folder().filename());
+    EXPECT_EQ(result.status, CellStatus::failed);
+    EXPECT_THAT(result.reason, AllOf(HasSubstr("the device ended the loops of 100 % of the pixels"),
+                                     HasSubstr("after 65535 iterations of all of them together"),
+                                     HasSubstr("give each loop an end of its own that is sooner")));
+    EXPECT_GT(result.work->taps_mean, 60000) << "its figures are kept";
 }
 
 }  // namespace

@@ -67,5 +67,14 @@ TEST(SearchAdvice, WithoutANamedCapSaysWhatItCannotKnow) {
     EXPECT_THAT(advise_longer_search(old, {}), HasSubstr("the cap stands in its shaders"));
 }
 
+TEST(SearchAdvice, ForLoopsThatTheDeviceEndsItIsTheOtherWayRound) {
+    EXPECT_EQ(advise_shorter_search(manifest(), values(4096, 8, false)),
+              "give each loop an end of its own that is sooner, or lower most (now 4096) if it is what caps them");
+    Manifest capless = manifest();
+    capless.search_cap.clear();
+    EXPECT_EQ(advise_shorter_search(capless, values(4096, 8, false)),
+              "give each loop an end of its own that is sooner");
+}
+
 }  // namespace
 }  // namespace reliefbench

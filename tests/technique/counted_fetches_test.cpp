@@ -133,5 +133,15 @@ TEST_F(CountedFetches, StagesOfATechniquesOwnAreHeldToThemToo) {
                 HasSubstr("control.tesc:4: this fetch would count as no tap"));
 }
 
+// 4 patches of 4 corners each: without a word of its author's the control stage's taps count like any others.
+TEST_F(CountedFetches, TapsOfAControlStageCountByThemselves) {
+    if (!device().info().has_feature("tessellationShader")) GTEST_SKIP() << "the device cannot tessellate";
+    const Probe without = draw(patches("1.0", "0.5"));
+    const Probe with = draw(patches("1.0 + 0.0 * tap_height(vec2(0.5))", "0.5"));
+    EXPECT_EQ(without.stages.taps, 0U);
+    EXPECT_EQ(with.stages.taps, 16U);
+    EXPECT_EQ(with.stages.texels, 64U);
+}
+
 }  // namespace
 }  // namespace reliefbench

@@ -202,6 +202,27 @@ TEST_F(Draw, OnlyASearchThatCouldStillHitCountsAsUnconverged) {
     }
 }
 
+TEST_F(Draw, WhatATechniqueDiscardsKeepsItsWork) {
+    const TemporaryTechnique folder(Files{{"trace.glsl", R"(
+        Trace trace(ReliefRay ray) {
+            float h = tap_height(ray.uv) + tap_height(2.0 * ray.uv);
+            if (ray.uv.x < 0.5)
+                discard;
+            else
+                h *= 0.5;
+            return hit_off_ray(ray.uv, h, 1);
+        })"}});
+    const SceneOnDevice scene(device(), bumpy_map(), grey_albedo());
+    const View view = make_view(30, Projection::parallel, {8, 8});
+    const Probe probe = make_renderer(device(), folder.load(), scene, view).probe();
+    for (int i = 0; i < 8; ++i) {
+        EXPECT_EQ(probe.hits.at(i, 4).is_hit(), i >= 4);
+        EXPECT_EQ(probe.covered.at(i, 4), 1);
+        EXPECT_EQ(probe.work.at(i, 4).taps, 2u);
+        EXPECT_FALSE(probe.work.at(i, 4).cut);
+    }
+}
+
 TEST_F(Draw, CoveredIsTheFootprint) {
     const TemporaryTechnique folder(Files{{"trace.glsl", "Trace trace(ReliefRay ray) { return miss(0); }"}});
     const SceneOnDevice scene(device(), bumpy_map(), grey_albedo());

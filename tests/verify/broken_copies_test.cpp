@@ -1,5 +1,6 @@
 #include "verify_test.hpp"
 
+#include "gpu/loop_limit.hpp"
 #include "verify/conformance.hpp"
 #include "verify/general_checks.hpp"
 #include "verify/promise_checks.hpp"
@@ -225,6 +226,13 @@ TEST_F(BrokenCopies, NoTapMayBeHiddenBesideOthers) {
     EXPECT_FALSE(checks.front().passed);
     EXPECT_NE(checks.front().detail.find("trace.glsl:4: this fetch would count as no tap"), std::string::npos)
         << checks.front().detail;
+}
+
+TEST_F(BrokenCopies, LoopsMustNotBeCutByTheDevice) {
+    if (!gpu::loop_limit(device())) GTEST_SKIP() << "the device ends no loops";
+    const BrokenCopy copy("parallax", "trace.glsl", "float h = tap_height(ray.uv);",
+                          "float h = tap_height(ray.uv);\n    for (int n = 0; n >= 0;) n = (n + 1) & 1023;");
+    expect_failure(copy, "work is counted", check_work);
 }
 
 TEST_F(BrokenCopies, AShaderThatDoesNotCompileIsAFailedCheck) {
