@@ -48,6 +48,10 @@ HitErrors hit_errors_of(const DrawnCell& drawn) {
     return compare_hits(drawn.probe.hits, drawn.truth.hits, drawn.truth.footprint, drawn.map, drawn.relief);
 }
 
+std::string failure_of(const Probe& probe) {
+    return reason_of_faults(probe.faults, probe.hits.texels.size());
+}
+
 ImageComparison image_errors_of(const DrawnCell& drawn) {
     return compare_images(drawn.probe.colour, drawn.probe.hits, drawn.truth.colour, drawn.truth.hits,
                           {drawn.truth.footprint, drawn.truth.background});

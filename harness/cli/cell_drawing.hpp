@@ -40,5 +40,7 @@ private:
 
 HitErrors hit_errors_of(const DrawnCell& drawn);
 ImageComparison image_errors_of(const DrawnCell& drawn);
+/// Why `run` would call the cell failed, though it was drawn; empty where it would not.
+std::string failure_of(const Probe& probe);
 
 }  // namespace reliefbench

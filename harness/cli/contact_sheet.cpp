@@ -181,6 +181,11 @@ Sheet make_contact_sheet(const std::vector<Cell>& cells, const std::vector<Shown
             }
             const std::vector<std::string> figures = figures_of(drawn, drawing.shadow_errors(cell, drawn));
             row.lines.insert(row.lines.end(), figures.begin(), figures.end());
+            if (const std::string failure = failure_of(probe); !failure.empty()) {
+                log_error("{}: {}", cell.id, failure);
+                row.lines.push_back("failed: " + failure);
+                ++failures;
+            }
         } catch (const Error& error) {
             log_error("{}", error.what());
             row.lines.push_back(error.what());

@@ -108,21 +108,34 @@ ExitCode draw_contact_sheet(const RenderOptions& options, const std::vector<Cell
     return failures == 0 ? ExitCode::done : ExitCode::cells_failed;
 }
 
-void draw_frames(const RenderOptions& options, OutputKind kind, const std::vector<Cell>& cells, CellDrawing& drawing) {
+/// A picture is made of a failed cell, too, to see where it fails.
+ExitCode report_failure(const Cell& cell, const Probe& probe) {
+    const std::string failure = failure_of(probe);
+    if (failure.empty()) return ExitCode::done;
+    log_error("failed: {}: {}", cell.id, failure);
+    return ExitCode::cells_failed;
+}
+
+ExitCode draw_frames(const RenderOptions& options, OutputKind kind, const std::vector<Cell>& cells,
+                     CellDrawing& drawing) {
     const std::vector<Shown> shown = shown_by(options);
+    ExitCode code = ExitCode::done;
     for (std::size_t frame = 0; frame < cells.size(); ++frame) {
         const std::filesystem::path path = frame_path(options.output, frame, cells.size());
         const Probe probe = drawing.probe(cells[frame]);
         write_cell(path, kind, shown, drawing.beside_truth(cells[frame], probe));
         fmt::print(stderr, "[{}/{}] {}: {}\n", frame + 1, cells.size(), path.string(), cells[frame].id);
+        code = graver(code, report_failure(cells[frame], probe));
     }
+    return code;
 }
 
-void draw_cell(const RenderOptions& options, OutputKind kind, const Cell& cell, CellDrawing& drawing) {
+ExitCode draw_cell(const RenderOptions& options, OutputKind kind, const Cell& cell, CellDrawing& drawing) {
     const Probe probe = drawing.probe(cell);
     const DrawnCell drawn = drawing.beside_truth(cell, probe);
     write_cell(options.output, kind, shown_by(options), drawn);
     print_summary(cell, drawn, drawing.shadow_errors(cell, drawn));
+    return report_failure(cell, probe);
 }
 
 /// Told on a line that the next message takes the place of.
@@ -159,9 +172,9 @@ ExitCode render(const RenderOptions& options) {
     if (options.contact_sheet) {
         code = draw_contact_sheet(options, cells, drawing);
     } else if (!options.animation.empty()) {
-        draw_frames(options, kind, cells, drawing);
+        code = draw_frames(options, kind, cells, drawing);
     } else {
-        draw_cell(options, kind, cells.front(), drawing);
+        code = draw_cell(options, kind, cells.front(), drawing);
     }
     return graver(code, check_validation(device));
 }
@@ -217,6 +230,7 @@ void add_render_command(CLI::App& app, ChosenCommand& chosen) {
         "not a number where they are undefined, depth_error is positive where too deep, coverage is 0 neither, 1 "
         "both,\n"
         "2 missed, 3 false hit, 4 missed outside the quad.\n"
+        "Exit code 4 when a cell fails because its technique answered out of range; it is drawn all the same.\n"
         "Example: reliefbench render --technique pom --set max_steps=64 -a view_angle=75 -o picture.png\n"
         "Example: reliefbench render --technique pom --show flip,ssim -a view_angle=75 -o maps.png\n"
         "Example: reliefbench render --contact-sheet --technique steep,pom,qdm -a view_angle=60 -o sheet.png\n"

@@ -1,5 +1,7 @@
 #include "measure/cell_preparation.hpp"
 
+#include "core/error.hpp"
+#include "gpu/device.hpp"
 #include "measure/cell_figures.hpp"
 #include "measure/memory_need.hpp"
 #include "measure/search_advice.hpp"
@@ -133,3 +135,4 @@ PreparedOrSkipped prepare_cell(const gpu::Device& device, const Technique& techn
 }
 
 }  // namespace reliefbench
+    if (!probe.faults.empty()) fail("{}", reason_of_faults(probe.faults, view.resolution.pixels()));

@@ -42,10 +42,10 @@ public:
     const std::string& id() const { return subject_.result->cell; }
     bool failed() const { return subject_.result->status == CellStatus::failed; }
 
-    void start(const Camera& camera) { hits_ = subject_.renderer->probe_from(camera).hits; }
+    void start(const Camera& camera) { hits_ = hits_from(camera); }
 
     void follow(const FramePair& pair, const Camera& next) {
-        HitImage hits = subject_.renderer->probe_from(next).hits;
+        HitImage hits = hits_from(next);
         const Relief& relief = pair.view.view.relief;
         const MotionChange change = compare_frames(pair.motion.landings, pair.first.hits, pair.second.hits, hits_, hits,
                                                    pair.loaded.map, relief);
@@ -69,6 +69,15 @@ public:
     }
 
 private:
+    HitImage hits_from(const Camera& camera) const {
+        Probe probe = subject_.renderer->probe_from(camera);
+        if (!probe.faults.empty()) {
+            fail("in motion, from azimuth {:g}° and view angle {:g}°, {}", camera.azimuth, camera.view_angle,
+                 reason_of_faults(probe.faults, probe.hits.texels.size()));
+        }
+        return std::move(probe.hits);
+    }
+
     static std::vector<double> flip_of(const MotionChange& change, const FramePair& pair) {
         View view = pair.view.view;
         view.camera = pair.camera;

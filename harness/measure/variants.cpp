@@ -180,6 +180,10 @@ private:
                 prepare_cell(device_, technique, cell, inputs_, configuration_, long_preparation);
             reason = prepared.skip_reason;
             if (prepared.cell) prepared.cell->probe = Probe{};
+            if (prepared.cell && prepared.cell->result.status == CellStatus::failed) {
+                reason = prepared.cell->result.reason;
+                return std::nullopt;
+            }
             return std::move(prepared.cell);
         } catch (const Error& error) {
             reason = error.what();

@@ -4,9 +4,8 @@
 // Level of detail of per-pixel techniques: relief that fades to normal mapping, after Tatarchuk's sample in the DirectX
 // SDK (threshold: mip level 3; faded over the level below it).
 
+#include "checked_trace.glsl"
 #include "relief.glsl"
-
-Trace trace(ReliefRay ray);
 
 // 0: all of the relief; 1: none of it. `distance` is the eye's from the ray's entry.
 float lod_fade_at(ReliefRay ray, float distance) {
@@ -20,7 +19,7 @@ float lod_fade_at(ReliefRay ray, float distance) {
 // searched for.
 Trace trace_faded(ReliefRay ray, float fade) {
     if (fade >= 1.0) return hit_on_ray(0.0, 0);
-    Trace found = trace(ray);
+    Trace found = checked_trace(ray);
     found.s *= 1.0 - fade;
     found.uv = mix(found.uv, ray.uv, fade);
     found.h = mix(found.h, 1.0, fade);

@@ -5,6 +5,7 @@
 // quad are in the order (0,0), (1,0), (0,1), (1,1) of gl_TessCoord; those of a triangle, whose weights gl_TessCoord has,
 // go counterclockwise as seen from above.
 
+#include "answer_range.glsl"
 #include "scene.glsl"
 #include "taps.glsl"
 #include "work.glsl"
@@ -89,6 +90,11 @@ vec2 grid_coordinates() {
 void emit_surface(vec2 patch_uv, float h) {
     surface = vec3(patch_uv, h);
     gl_Position = scene.clip_from_world * vec4(surface_point(patch_uv, h), 1.0);
+#ifdef RELIEFBENCH_PROBED
+    uint bits;
+    uint fault = answer_fault_of_point(patch_uv, h, bits);
+    if (fault != answer_fault_none) count_stage_fault(fault, bits);
+#endif
     count_stage();
 }
 #endif

@@ -50,9 +50,10 @@ void main() {
         hit = vec4(view.entry + found.s * max_offset, 1.0 - found.s, view.entry_t + found.s * t_per_s);
     } else {
         hit = vec4(found.uv / scene.tiling, found.h, 0.0);
-        // Never negative, which would be a miss: parallel rays start on the polygon, where rounding decides the sign.
-        hit.w = max(0.0, dot(surface_point(hit.xy, hit.z) - view.origin, view.direction));
+        hit.w = dot(surface_point(hit.xy, hit.z) - view.origin, view.direction);
     }
+    // Never negative, which would be a miss: parallel rays start on the polygon, where rounding decides the sign.
+    hit.w = max(0.0, hit.w);
     if (!relief_repeats && !inside_patch(hit.xy)) discard;
 
 #ifdef RELIEFBENCH_WRITE_DEPTH

@@ -4,6 +4,7 @@
 // How much of each light reaches a point of the relief past the relief itself: the methods of
 // harness/scene/self_shadow.hpp, over the technique's own trace() where it marches.
 
+#include "checked_trace.glsl"
 #include "relief.glsl"
 #include "scene.glsl"
 
@@ -64,7 +65,7 @@ float hard_visibility(ReliefRay ray, float s_point) {
 #ifdef RELIEFBENCH_OWN_MARCH
     // A technique's search knows only rays that enter from above.
     if (s_first <= 0.0) {
-        Trace found = trace(ray);
+        Trace found = checked_trace(ray);
         if (found.kind == trace_miss || !found.converged) return 1.0;
         float s_found = found.kind == trace_on_ray ? found.s : 1.0 - found.h;
         return s_found < s_end ? 0.0 : 1.0;

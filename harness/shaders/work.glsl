@@ -26,7 +26,7 @@ void count_pixel(ivec2 resolution, vec2 fragment, int steps, bool converged) {
     int index = work_index(resolution, fragment);
     atomicAdd(work.pixels[index].x, counted_taps);
     atomicAdd(work.pixels[index].y, counted_texels);
-    atomicAdd(work.pixels[index].z, uint(steps));
+    if ((work.pixels[index].w & fault_mask) == 0u) atomicAdd(work.pixels[index].z, uint(steps));
     atomicAdd(work.pixels[index].w, converged ? 0u : 1u);
     atomicOr(work.pixels[index].w, covered_bit);
     end_search(resolution, fragment);
@@ -34,6 +34,21 @@ void count_pixel(ivec2 resolution, vec2 fragment, int steps, bool converged) {
     counted_texels = 0u;
 #endif
 }
+
+#ifdef RELIEFBENCH_PROBED
+// Of a pixel, whose first one stays. Its steps mean nothing any more.
+void count_fault(ivec2 resolution, vec2 fragment, uint fault, uint bits) {
+    int index = work_index(resolution, fragment);
+    if ((work.pixels[index].w & fault_mask) != 0u) return;
+    atomicOr(work.pixels[index].w, fault << fault_shift);
+    atomicExchange(work.pixels[index].z, bits);
+}
+
+// Of a vertex. The draw keeps one of them.
+void count_stage_fault(uint fault, uint bits) {
+    if (atomicCompSwap(work.stage_fault, 0u, fault) == 0u) atomicExchange(work.stage_fault_bits, bits);
+}
+#endif
 
 // Of an invocation of a vertex or tessellation stage, at its end. Their taps are counted as they are made.
 void count_stage() {

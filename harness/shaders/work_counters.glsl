@@ -8,12 +8,20 @@ layout(set = 0, binding = 5, std430) buffer Work {
     uint stage_texels;
     uint turns_asked;  // only read: what the loop of loops_are_cut() counts to
     uint stage_cuts;   // invocations of those stages, or of a preparation pass, whose loops the device ended
-    uvec4 pixels[];    // taps, texels, steps, searches that ended by their cap | cut | covered
+    uint stage_fault;  // answer_range.glsl: of a vertex, and the bits of its value
+    uint stage_fault_bits;
+    uint unused_0;
+    uint unused_1;
+    // taps; texels; steps, or of an answer out of range the bits of its value; searches that ended by their cap | its fault |
+    // cut | covered
+    uvec4 pixels[];
 }
 work;
 
 const uint covered_bit = 0x80000000u;
 const uint cut_bit = 0x40000000u;
+const int fault_shift = 27;
+const uint fault_mask = 0x38000000u;
 
 // Of a fragment, so far.
 uint counted_taps = 0u;

@@ -12,6 +12,7 @@
 #include "technique/scene_uniforms.hpp"
 
 #include <cassert>
+#include <cmath>
 #include <cstring>
 #include <optional>
 
@@ -33,13 +34,17 @@ Image<Texel> to_image(Resolution size, const std::vector<std::byte>& bytes) {
 PixelWork to_work(const WorkCounters::Pixel& pixel) {
     return {.taps = pixel.taps,
             .texels = pixel.texels,
-            .steps = pixel.steps,
+            .steps = pixel.steps(),
             .unconverged = pixel.unconverged(),
             .cut = pixel.is_cut()};
 }
 
 PixelWork to_work(const WorkCounters::Stages& stages) {
     return {.taps = stages.taps, .texels = stages.texels, .cut = stages.cuts > 0};
+}
+
+bool is_finite(const Hit& hit) {
+    return std::isfinite(hit.u) && std::isfinite(hit.v) && std::isfinite(hit.h) && std::isfinite(hit.t);
 }
 
 gpu::Buffer upload_uniforms(const gpu::Device& device, const SceneUniforms& uniforms) {
@@ -191,6 +196,7 @@ Probe Renderer::State::probe(const DrawSetup& from) const {
     const Resolution size = view.resolution;
     const auto colours = to_image<std::array<float, 4>>(size, draw.read_target(0));
     const auto shadows = to_image<std::array<float, 4>>(size, draw.read_target(2));
+    const WorkCounters::Stages stages = draw.work().stages();
     Probe probe{.hits = to_image<Hit>(size, draw.read_target(1)),
                 .colour = Image<std::array<float, 3>>(size),
                 .covered = Image<std::uint8_t>(size),
@@ -198,7 +204,8 @@ Probe Renderer::State::probe(const DrawSetup& from) const {
                 .light_visibility = Image<std::array<float, 3>>(size),
                 .shadow_taps = Image<std::uint32_t>(size),
                 .front = std::nullopt,
-                .stages = to_work(draw.work().stages())};
+                .stages = to_work(stages)};
+    if (stages.fault != 0) probe.faults.push_back(decode_answer_fault(stages.fault, stages.fault_bits));
     for (std::size_t i = 0; i < size.pixels(); ++i) {
         const std::array<float, 4>& colour = colours.texels[i];
         probe.colour.texels[i] = {colour[0], colour[1], colour[2]};
@@ -208,6 +215,13 @@ Probe Renderer::State::probe(const DrawSetup& from) const {
         const WorkCounters::Pixel work = draw.work().pixel(i);
         probe.work.texels[i] = to_work(work);
         probe.covered.texels[i] = static_cast<std::uint8_t>(work.is_covered());
+        if (const std::uint32_t fault = work.fault(); fault != 0) {
+            probe.faults.push_back(decode_answer_fault(fault, work.steps_or_fault_bits));
+            probe.faults.back().pixel = place_of(i, size);
+        } else if (!is_finite(probe.hits.texels[i])) {
+            // Finite texture coordinates, so far away that their distance is not.
+            probe.faults.push_back({AnswerFault::Quantity::uv, probe.hits.texels[i].t, place_of(i, size)});
+        }
     }
     return probe;
 }

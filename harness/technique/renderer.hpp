@@ -7,6 +7,7 @@
 #include "scene/lighting.hpp"
 #include "scene/relief.hpp"
 #include "scene/scene_object.hpp"
+#include "technique/answer_fault.hpp"
 #include "technique/technique.hpp"
 
 #include <array>
@@ -69,6 +70,8 @@ struct Probe {
     /// Taps and texels of vertex and tessellation stages, summed over the draw, and whether any of their loops were
     /// cut.
     PixelWork stages;
+    /// Answers out of range, row by row: nothing else of the draw means anything where there is one.
+    std::vector<AnswerFault> faults = {};
 };
 
 /// One draw of the timed compilation, for checking it against the probed one.

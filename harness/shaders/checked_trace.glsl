@@ -1,0 +1,32 @@
+#ifndef RELIEFBENCH_CHECKED_TRACE_GLSL
+#define RELIEFBENCH_CHECKED_TRACE_GLSL
+
+// The technique's trace() in fragment stages, for the eye and for lights: in probed compilations an answer out of its
+// range is reported for the pixel.
+
+#include "answer_range.glsl"
+#include "relief.glsl"
+#include "scene.glsl"
+#include "work.glsl"
+
+Trace trace(ReliefRay ray);
+
+uint answer_fault_of(Trace found, out uint bits) {
+    uint fault = answer_fault_none;
+    bits = floatBitsToUint(found.s);
+    if (found.kind == trace_on_ray && !answer_is_in_unit_range(found.s)) fault = answer_fault_s;
+    if (found.kind == trace_off_ray) fault = answer_fault_of_point(found.uv, found.h, bits);
+    return fault != answer_fault_none ? fault : answer_fault_of_steps(found.steps, bits);
+}
+
+Trace checked_trace(ReliefRay ray) {
+    Trace found = trace(ray);
+#ifdef RELIEFBENCH_PROBED
+    uint bits;
+    uint fault = answer_fault_of(found, bits);
+    if (fault != answer_fault_none) count_fault(scene.resolution, gl_FragCoord.xy, fault, bits);
+#endif
+    return found;
+}
+
+#endif
