@@ -3,6 +3,7 @@
 #include "cli/progress_printer.hpp"
 #include "cli/results.hpp"
 #include "cli/shared_options.hpp"
+#include "cli/shell_word.hpp"
 #include "cli/terminal.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
@@ -96,17 +97,6 @@ ExitCode report_failures(const std::vector<CellResult>& cells) {
     return failures > 0 ? ExitCode::cells_failed : ExitCode::done;
 }
 
-/// As a shell takes it.
-std::string quoted_word(const std::filesystem::path& path) {
-    const std::string text = path.string();
-    if (text.find_first_of(" '\"\\$`*?;&|<>()") == std::string::npos) return text;
-    std::string quoted = "'";
-    for (const char character : text) {
-        quoted += character == '\'' ? std::string("'\\''") : std::string(1, character);
-    }
-    return quoted + "'";
-}
-
 /// The finished cells as the folder has them, in the configuration's order; not those that a run which was gone on with
 /// by force has of another one.
 Run read_back(const std::filesystem::path& folder, const std::vector<Cell>& cells) {
@@ -137,7 +127,8 @@ void say_how_to_go_on(std::size_t finished, const RunJob& job) {
     fmt::print(stderr,
                "reliefbench: interrupted with {} of {} cells finished; every sample is kept. Go on with\n"
                "    reliefbench run {} -o {} --resume\n",
-               finished, job.sources.cells.size(), quoted_word(job.folder / "run.json"), quoted_word(job.folder));
+               finished, job.sources.cells.size(), shell_word((job.folder / "run.json").string()),
+               shell_word(job.folder.string()));
 }
 
 /// What stands in run.json before anything is measured.

@@ -1,5 +1,6 @@
 #include "cli/command.hpp"
 #include "cli/shared_options.hpp"
+#include "cli/shell_word.hpp"
 #include "technique/map_cache.hpp"
 #include "verify/conformance.hpp"
 
@@ -9,6 +10,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 namespace reliefbench {
 
@@ -20,9 +22,31 @@ struct VerifyOptions {
     DeviceChoice device;
 };
 
-void print_check(const Check& check) {
-    fmt::print("{:<4}  {}: {}{}: {}\n", check.passed ? "ok" : "FAIL", check.technique, check.name,
+/// The command line that shows what a failed check drew.
+std::string render_command(const Check& check, const Technique& technique, const VerifyOptions& options) {
+    std::vector<std::string> words = render_words(technique.manifest, *check.drawn, check.technique + ".png");
+    for (const std::string& directory : options.library.directories)
+        words.insert(words.end(), {"--techniques", directory});
+    if (!options.device.options.choice.empty()) words.insert(words.end(), {"--device", options.device.options.choice});
+    std::string command = "reliefbench";
+    for (const std::string& word : words)
+        command += " " + shell_word(word);
+    const std::string making = map_making_command(*check.drawn);
+    return making.empty() ? command : making + " && " + command;
+}
+
+void print_check(const Check& check, const Technique* technique, const VerifyOptions& options) {
+    const char* const word = check.passed ? "ok" : check.skipped ? "skip" : "FAIL";
+    fmt::print("{:<4}  {}: {}{}: {}", word, check.technique, check.name,
                check.circumstances.empty() ? "" : " (" + check.circumstances + ")", check.detail);
+    if (check.failed() && check.drawn && technique) {
+        if (const std::optional<PixelPlace>& worst = check.drawn->worst) {
+            const std::string place = fmt::format("pixel ({}, {})", worst->column, worst->row);
+            if (check.detail.find(place) == std::string::npos) fmt::print("; worst at {}", place);
+        }
+        fmt::print("; to see it: {}", render_command(check, *technique, options));
+    }
+    fmt::print("\n");
     std::fflush(stdout);
 }
 
@@ -39,23 +63,27 @@ ExitCode verify(const VerifyOptions& options) {
     const TechniqueLibrary library = options.library.find();
     const std::vector<Technique> selected = select(library, options.techniques);
     const gpu::Device device(options.device.options);
-    std::size_t checks = 0;
-    std::size_t failures = 0;
-    const auto on_check = [&](const Check& check) {
-        print_check(check);
-        ++checks;
-        failures += check.passed ? 0 : 1;
+    std::size_t passed = 0;
+    std::size_t failed = 0;
+    std::size_t skipped = 0;
+    const auto count_check = [&](const Check& check, const Technique* technique) {
+        print_check(check, technique, options);
+        passed += check.passed ? 1 : 0;
+        failed += check.failed() ? 1 : 0;
+        skipped += check.skipped ? 1 : 0;
     };
     if (options.techniques.empty()) {
         for (const auto& [id, message] : library.broken) {
-            on_check({id, "manifest", "", false, message});
+            count_check({.technique = id, .name = "manifest", .circumstances = {}, .detail = message}, nullptr);
         }
     }
     for (const Technique& technique : selected) {
-        verify_technique(device, technique, on_check, {.cache = map_cache_folder()});
+        verify_technique(device, technique, [&](const Check& check) { count_check(check, &technique); },
+                         {.cache = map_cache_folder()});
     }
-    fmt::print("{} of {} checks passed on {}\n", checks - failures, checks, device.info().name);
-    return graver(failures > 0 ? ExitCode::cells_failed : ExitCode::done, check_validation(device));
+    fmt::print("{} of {} checks passed on {}{}\n", passed, passed + failed, device.info().name,
+               skipped > 0 ? fmt::format(", {} skipped", skipped) : "");
+    return graver(failed > 0 ? ExitCode::cells_failed : ExitCode::done, check_validation(device));
 }
 
 }  // namespace
@@ -68,7 +96,8 @@ void add_verify_command(CLI::App& app, ChosenCommand& chosen) {
     options->library.add_to(*command);
     options->device.add_to(*command);
     command->footer(
-        "Exit code 0 when every check passes, 4 when one fails.\n"
+        "Exit code 0 when every check passes, 4 when one fails. A FAIL line names the worst pixel, (column, row) from\n"
+        "the top left from 0, and the command that draws it.\n"
         "Example: reliefbench verify --technique my_march --techniques my_techniques\n");
     command->callback([&chosen, options] { chosen = [options] { return verify(*options); }; });
 }

@@ -14,6 +14,10 @@ namespace reliefbench {
 struct Finding {
     bool passed = false;
     std::string detail;
+    /// Of a failure: the pixel that shows it most.
+    std::optional<PixelPlace> worst = {};
+    /// Where several draws were looked at: the parameters of the one that fails.
+    std::optional<ParameterValues> parameters = {};
 };
 
 /// The technique under test, the scenes it is tested on, and the checks done so far.
@@ -35,11 +39,18 @@ public:
 
     /// Runs `body` and records what it found; an Error (a shader that does not compile, a lost device) is a failure
     /// with its message. Returns whether it passed.
+    bool check(const std::string& name, const ParameterValues& parameters, const Circumstance& where,
+               const std::function<Finding()>& body);
+    /// The same of what draws nothing.
     bool check(const std::string& name, const std::string& circumstances, const std::function<Finding()>& body);
+    /// Records that nothing can be checked here, and why.
+    void skip(const std::string& name, const std::string& circumstances, const std::string& reason);
 
     std::vector<Check> take() { return std::move(checks_); }
 
 private:
+    bool record(Check check, const std::function<Finding()>& body);
+
     const gpu::Device* device_;
     const Technique* technique_;
     std::function<void(const Check&)> on_check_;

@@ -65,6 +65,11 @@ const CoordinateScene& SceneCollection::get(const std::string& map, Resolution s
     return *scene;
 }
 
+void require_answers_in_range(const Probe& probe) {
+    if (probe.faults.empty()) return;
+    throw OutOfRange(reason_of_faults(probe.faults, probe.hits.texels.size()), worst_fault(probe.faults).pixel);
+}
+
 Comparison compare_with_truth(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
                               const CoordinateScene& scene, const View& view, const PreparationSettings& preparation) {
     const Lighting lighting = coordinate_lighting();
@@ -73,6 +78,7 @@ Comparison compare_with_truth(const gpu::Device& device, const Technique& techni
     if (!given_up.empty()) fail("{}", given_up);
     Comparison comparison;
     comparison.probe = renderer.probe();
+    require_answers_in_range(comparison.probe);
     comparison.truth = trace_exact_truth(scene.map, scene.albedo, view, lighting);
     comparison.errors =
         compare_hits(comparison.probe.hits, comparison.truth.hits, comparison.truth.footprint, scene.map, view.relief);

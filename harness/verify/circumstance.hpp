@@ -1,19 +1,25 @@
 #pragma once
 
+#include "core/error.hpp"
 #include "manifest/manifest.hpp"
 #include "metrics/hit_errors.hpp"
 #include "reference/truth.hpp"
+#include "scene/pixel_place.hpp"
 #include "technique/renderer.hpp"
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
 
 namespace reliefbench {
 
-/// What a technique is looked at under: a procedural map and a view of it.
+/// The name of a map that is 1 everywhere: no procedural one.
+inline constexpr const char* map_of_ones = "ones";
+
+/// What a technique is looked at under: a map, procedural or of ones, and a view of it.
 struct Circumstance {
     std::string map;
     Resolution map_size;
@@ -55,7 +61,17 @@ struct Comparison {
     HitErrors errors;
 };
 
-/// Draws the probed compilation and traces the exact truth beside it.
+/// A technique answered out of range: nothing else can be said of what it drew.
+struct OutOfRange : Error {
+    OutOfRange(const std::string& message, std::optional<PixelPlace> place) : Error(message), worst(place) {}
+
+    std::optional<PixelPlace> worst;
+};
+
+/// Throws OutOfRange where the draw has a fault.
+void require_answers_in_range(const Probe& probe);
+
+/// Draws the probed compilation and traces the exact truth beside it. Answers out of range are OutOfRange.
 Comparison compare_with_truth(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
                               const CoordinateScene& scene, const View& view,
                               const PreparationSettings& preparation = {});

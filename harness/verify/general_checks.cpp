@@ -2,6 +2,7 @@
 
 #include "gpu/device.hpp"
 #include "technique/cut_loops.hpp"
+#include "verify/worst_pixel.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -64,24 +65,33 @@ double texels_apart(const std::array<float, 4>& timed, const std::array<float, 3
                       (timed[1] - probed[1]) * static_cast<float>(map.height()));
 }
 
+/// No texture coordinates are below 0.
+bool is_background(float red) {
+    return red < 0;
+}
+
 Finding compare_pictures(const TimedPicture& timed, const Probe& probe, const HeightMap& map, bool bit_for_bit) {
     constexpr double tolerance_texels = 0.5;
     constexpr double tolerated_fraction = 0.001;
+    std::size_t drawn = 0;
     std::size_t different = 0;
-    double worst = 0;
+    WorstPixel worst;
     for (std::size_t pixel = 0; pixel < timed.colour.texels.size(); ++pixel) {
         const auto& timed_colour = timed.colour.texels[pixel];
         const auto& probed_colour = probe.colour.texels[pixel];
         const double apart = texels_apart(timed_colour, probed_colour, map);
         const bool same = bit_for_bit ? same_colour(timed_colour, probed_colour) : apart <= tolerance_texels;
+        if (!is_background(timed_colour[0]) || !is_background(probed_colour[0])) ++drawn;
         if (!same) ++different;
-        worst = std::max(worst, apart);
+        worst.offer(apart, pixel);
     }
+    if (drawn == 0) return {false, "nothing to compare: neither draws a pixel"};
     const double allowed = bit_for_bit ? 0 : tolerated_fraction * static_cast<double>(timed.colour.texels.size());
     return {static_cast<double>(different) <= allowed,
-            fmt::format(
-                "{} of {} pixels differ, the worst by {:.3g} texels; {}", different, timed.colour.texels.size(), worst,
-                bit_for_bit ? "bit for bit on a CPU device" : "half a texel allowed, 0.1 % of pixels excepted")};
+            fmt::format("{} of {} pixels differ ({} are drawn), the worst by {:.3g} texels; {}", different,
+                        timed.colour.texels.size(), drawn, worst.value(),
+                        bit_for_bit ? "bit for bit on a CPU device" : "half a texel allowed, 0.1 % of pixels excepted"),
+            worst.place(timed.colour.size)};
 }
 
 double depth_of(const glm::dmat4& clip_from_world, const Hit& hit, const Relief& relief) {
@@ -96,35 +106,43 @@ double range_tolerance(const Manifest& manifest) {
     return manifest.shape.kind == Shape::Kind::patches ? 1e-3 : 1e-6;
 }
 
-/// Coordinates finite and in range; t the distance of S(u, v) along the ray; the depth written that of S(u, v).
+/// By how much u, v or h of a hit leave [0, 1]; u and v may where the relief repeats.
+double excess_of(const Hit& hit, const Relief& relief) {
+    const auto beyond = [](double x) { return std::max({0.0, -x, x - 1}); };
+    const double sideways = relief.boundary == Boundary::repeat ? 0 : std::max(beyond(hit.u), beyond(hit.v));
+    return std::max(sideways, beyond(hit.h));
+}
+
+/// Answers in range (an OutOfRange where not), and hits; t the distance of S(u, v) along the ray; the depth written
+/// that of S(u, v).
 Finding check_hits(const TimedPicture& timed, const Probe& probe, const View& view, double range_tolerance) {
     constexpr double place_tolerance = 2e-5;  // t and depth go through a matrix in floats
+    require_answers_in_range(probe);
     std::size_t out_of_range = 0;
-    double worst_t = 0;
-    double worst_depth = 0;
+    WorstPixel range;
+    WorstPixel t;
+    WorstPixel depth;
     std::size_t hits = 0;
     const glm::dmat4 clip_from_world = reliefbench::clip_from_world(view.camera, view.resolution);
-    for (int j = 0; j < view.resolution.height; ++j) {
-        for (int i = 0; i < view.resolution.width; ++i) {
-            const Hit& hit = probe.hits.at(i, j);
-            const bool finite = std::isfinite(hit.u) && std::isfinite(hit.v) && std::isfinite(hit.h);
-            if (!finite || !std::isfinite(hit.t)) ++out_of_range;
-            if (!finite || !hit.is_hit()) continue;
-            ++hits;
-            const auto in_unit = [&](double x) { return x >= -range_tolerance && x <= 1 + range_tolerance; };
-            const bool inside = view.relief.boundary == Boundary::repeat || (in_unit(hit.u) && in_unit(hit.v));
-            if (!inside || !in_unit(hit.h)) ++out_of_range;
-
-            const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
-            const glm::dvec3 point{hit.u - 0.5, hit.v - 0.5, (hit.h - 1.0) * view.relief.height_scale};
-            worst_t = std::max(worst_t, std::abs(glm::dot(point - ray.origin, ray.direction) - hit.t));
-            worst_depth =
-                std::max(worst_depth, std::abs(depth_of(clip_from_world, hit, view.relief) - timed.depth.at(i, j)));
-        }
+    for (std::size_t pixel = 0; pixel < probe.hits.texels.size(); ++pixel) {
+        const Hit& hit = probe.hits.texels[pixel];
+        if (!hit.is_hit()) continue;
+        ++hits;
+        const double excess = excess_of(hit, view.relief);
+        if (excess > range_tolerance) ++out_of_range;
+        range.offer(excess, pixel);
+        const auto [i, j] = place_of(pixel, view.resolution);
+        const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
+        const glm::dvec3 point{hit.u - 0.5, hit.v - 0.5, (hit.h - 1.0) * view.relief.height_scale};
+        t.offer(std::abs(glm::dot(point - ray.origin, ray.direction) - hit.t), pixel);
+        depth.offer(std::abs(depth_of(clip_from_world, hit, view.relief) - timed.depth.at(i, j)), pixel);
     }
-    return {hits > 0 && out_of_range == 0 && worst_t <= place_tolerance && worst_depth <= place_tolerance,
-            fmt::format("{} hits, {} not finite or out of range, t off by at most {:.2g}, depth by {:.2g} (bound {:g})",
-                        hits, out_of_range, worst_t, worst_depth, place_tolerance)};
+    if (hits == 0) return {false, "nothing to check: no pixel is hit"};
+    const WorstPixel& worst = out_of_range > 0 ? range : t.value() > place_tolerance ? t : depth;
+    return {out_of_range == 0 && t.value() <= place_tolerance && depth.value() <= place_tolerance,
+            fmt::format("{} hits, {} out of range, t off by at most {:.2g}, depth by {:.2g} (bound {:g})", hits,
+                        out_of_range, t.value(), depth.value(), place_tolerance),
+            worst.place(view.resolution)};
 }
 
 /// Work counted over the draw, or over its pixels.
@@ -135,18 +153,17 @@ double total_taps(const Probe& probe) {
     return taps;
 }
 
-std::size_t pixels_with_steps_but_no_taps(const Probe& probe) {
-    return static_cast<std::size_t>(std::ranges::count_if(
-        probe.work.texels, [](const PixelWork& work) { return work.steps > 0 && work.texels < 1; }));
+/// Steps, but no texel read.
+bool is_uncounted(const PixelWork& work) {
+    return work.steps > 0 && work.texels < 1;
 }
 
 void check_picture(CheckList& list, const ParameterValues& parameters, const Circumstance& where) {
     const bool bit_for_bit = list.device().info().type == gpu::DeviceType::cpu;
-    const std::string text = describe(parameters, list.manifest()) + "; " + describe(where);
     TimedPicture timed;
     Probe probe;
     const CoordinateScene& scene = list.scenes().get(where.map, where.map_size);
-    const bool drawn = list.check("timed and probed agree", text, [&] {
+    const bool agree = list.check("timed and probed agree", parameters, where, [&] {
         Renderer renderer(list.device(), list.technique(), parameters, scene.on_device, where.view,
                           coordinate_lighting());
         renderer.prepare(list.preparation());
@@ -154,8 +171,8 @@ void check_picture(CheckList& list, const ParameterValues& parameters, const Cir
         probe = renderer.probe();
         return compare_pictures(timed, probe, scene.map, bit_for_bit);
     });
-    if (drawn)
-        list.check("hits are in range", text,
+    if (agree || !probe.faults.empty())
+        list.check("hits are in range", parameters, where,
                    [&] { return check_hits(timed, probe, where.view, range_tolerance(list.manifest())); });
 }
 
@@ -166,9 +183,7 @@ bool check_supported(CheckList& list) {
     const std::string reason =
         unsupported_reason(list.device(), list.technique(), list.manifest().defaults(), first.view, first.map_size);
     if (reason.empty()) return true;
-    list.check("runs on this device", list.device().info().name, [&]() -> Finding {
-        return {true, "skipped: " + reason};
-    });
+    list.skip("runs on this device", list.device().info().name, reason);
     return false;
 }
 
@@ -197,25 +212,28 @@ void check_pictures(CheckList& list) {
 void check_polygon(CheckList& list) {
     constexpr double tolerance_texels = 1e-3;
     constexpr double tolerated_pixels = 0.005;  // the rasteriser decides pixel centres on the outline
-    const CoordinateScene ones(list.device(), make_height_map(Image<float>({32, 32}, 1.0F), HeightFormat::r16, "ones"));
+    const CoordinateScene ones(list.device(),
+                               make_height_map(Image<float>({32, 32}, 1.0F), HeightFormat::r16, map_of_ones));
     for (const Projection projection : {Projection::perspective, Projection::parallel}) {
-        const Circumstance where = circumstance("ones", {32, 32}, projection, 60, -70);
-        list.check("a map of ones is the polygon", describe(where), [&]() -> Finding {
-            const HitErrors errors = compare_with_truth(list.device(), list.technique(), list.manifest().defaults(),
-                                                        ones, where.view, list.preparation())
-                                         .errors;
+        const Circumstance where = circumstance(map_of_ones, {32, 32}, projection, 60, -70);
+        const ParameterValues parameters = list.manifest().defaults();
+        list.check("a map of ones is the polygon", parameters, where, [&]() -> Finding {
+            const Comparison found =
+                compare_with_truth(list.device(), list.technique(), parameters, ones, where.view, list.preparation());
+            const HitErrors& errors = found.errors;
             const double worst = errors.uv_texels ? errors.uv_texels->max : INFINITY;
             const double wrong = errors.missed + errors.false_hits;
             return {worst <= tolerance_texels && wrong <= tolerated_pixels,
                     fmt::format("UV error at most {:.2g} texels (bound {:g}), missed + false hits {:.2g}", worst,
-                                tolerance_texels, wrong)};
+                                tolerance_texels, wrong),
+                    worst_place(found, ones.map, where.view, wrong > tolerated_pixels)};
         });
     }
 }
 
 void check_work(CheckList& list) {
     const Circumstance where = picture_circumstances().front();
-    list.check("work is counted", describe(where), [&]() -> Finding {
+    list.check("work is counted", list.manifest().defaults(), where, [&]() -> Finding {
         const auto probe_map = [&](const CoordinateScene& scene) {
             return compare_with_truth(list.device(), list.technique(), list.manifest().defaults(), scene, where.view,
                                       list.preparation())
@@ -223,15 +241,22 @@ void check_work(CheckList& list) {
         };
         const Probe relief = probe_map(list.scenes().get(where.map, where.map_size));
         const CoordinateScene ones(list.device(),
-                                   make_height_map(Image<float>(where.map_size, 1.0F), HeightFormat::r16, "ones"));
+                                   make_height_map(Image<float>(where.map_size, 1.0F), HeightFormat::r16, map_of_ones));
         const bool reads_the_relief = relief.hits.texels != probe_map(ones).hits.texels;
         const double taps = total_taps(relief);
-        const std::size_t uncounted = pixels_with_steps_but_no_taps(relief);
+        WorstPixel worst;
+        std::size_t uncounted = 0;
+        for (std::size_t pixel = 0; pixel < relief.work.texels.size(); ++pixel) {
+            if (!is_uncounted(relief.work.texels[pixel])) continue;
+            ++uncounted;
+            worst.offer(relief.work.texels[pixel].steps, pixel);
+        }
         const std::string cut = describe_cut_loops(list.device(), relief);
-        return {
-            (taps > 0) == reads_the_relief && uncounted == 0 && cut.empty(),
-            fmt::format("{:.3g} taps in all; hits {} on the relief; {} pixels with steps but no texel read{}{}", taps,
-                        reads_the_relief ? "depend" : "do not depend", uncounted, cut.empty() ? "" : "; ", cut)};
+        if (std::ranges::none_of(relief.hits.texels, &Hit::is_hit)) return {false, "nothing to check: no pixel is hit"};
+        return {(taps > 0) == reads_the_relief && uncounted == 0 && cut.empty(),
+                fmt::format("{:.3g} taps in all; hits {} on the relief; {} pixels with steps but no texel read{}{}", taps,
+                            reads_the_relief ? "depend" : "do not depend", uncounted, cut.empty() ? "" : "; ", cut),
+                worst.place(where.view.resolution)};
     });
 }
 

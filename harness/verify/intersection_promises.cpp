@@ -1,6 +1,7 @@
 #include "verify/promise_checks.hpp"
 
 #include "scene/procedural.hpp"
+#include "verify/worst_pixel.hpp"
 
 #include <fmt/format.h>
 
@@ -38,49 +39,72 @@ std::vector<Circumstance> intersection_circumstances() {
     return all;
 }
 
-std::size_t unconverged_pixels(const Probe& probe) {
-    std::size_t count = 0;
-    for (const PixelWork& work : probe.work.texels)
-        count += work.unconverged;
-    return count;
+struct UnconvergedPixels {
+    std::size_t pixels = 0;
+    std::optional<PixelPlace> first = {};
+};
+
+UnconvergedPixels unconverged_pixels(const Probe& probe) {
+    UnconvergedPixels found;
+    for (std::size_t pixel = 0; pixel < probe.work.texels.size(); ++pixel) {
+        if (probe.work.texels[pixel].unconverged == 0) continue;
+        if (found.pixels++ == 0) found.first = place_of(pixel, probe.work.size);
+    }
+    return found;
+}
+
+/// Footprint pixels whose point lies too far beyond the first hit, and the one that goes farthest.
+struct BeyondFirstHit {
+    std::size_t pixels = 0;
+    std::optional<PixelPlace> farthest = {};
+};
+
+BeyondFirstHit beyond_first_hit(const Comparison& comparison, const HeightMap& map, const View& view,
+                                double deviation) {
+    constexpr double tolerance_texels = 0.5;
+    BeyondFirstHit beyond;
+    WorstPixel worst;
+    for (std::size_t pixel = 0; pixel < comparison.truth.hits.texels.size(); ++pixel) {
+        const Hit& truth = comparison.truth.hits.texels[pixel];
+        if (comparison.truth.footprint.texels[pixel] != in_footprint || !truth.is_hit()) continue;
+        const Hit& hit = comparison.probe.hits.texels[pixel];
+        const auto [i, j] = place_of(pixel, view.resolution);
+        const double stride = texels_through_relief(view, map, i, j);
+        const glm::dvec3 direction = pixel_ray(view.camera, view.resolution, i, j).direction;
+        const double texels_per_length = stride * std::abs(direction.z) / view.relief.height_scale;
+        const double texels = hit.is_hit() ? (hit.t - truth.t) * texels_per_length : INFINITY;
+        worst.offer(texels, pixel);
+        if (texels > tolerance_texels + deviation * stride) ++beyond.pixels;
+    }
+    beyond.farthest = worst.place(view.resolution);
+    return beyond;
 }
 
 }  // namespace
 
 std::size_t pixels_beyond(const Comparison& comparison, const HeightMap& map, const View& view, double deviation) {
-    constexpr double tolerance_texels = 0.5;
-    std::size_t beyond = 0;
-    for (int j = 0; j < view.resolution.height; ++j) {
-        for (int i = 0; i < view.resolution.width; ++i) {
-            const Hit& truth = comparison.truth.hits.at(i, j);
-            if (comparison.truth.footprint.at(i, j) != in_footprint || !truth.is_hit()) continue;
-            const Hit& hit = comparison.probe.hits.at(i, j);
-            const double stride = texels_through_relief(view, map, i, j);
-            const glm::dvec3 direction = pixel_ray(view.camera, view.resolution, i, j).direction;
-            const double texels_per_length = stride * std::abs(direction.z) / view.relief.height_scale;
-            const double texels = (hit.t - truth.t) * texels_per_length;
-            if (!hit.is_hit() || texels > tolerance_texels + deviation * stride) ++beyond;
-        }
-    }
-    return beyond;
+    return beyond_first_hit(comparison, map, view, deviation).pixels;
 }
 
 void check_first_hit(CheckList& list, const PromiseDeclaration& declaration) {
     constexpr double tolerance_texels = 0.1;
     const ParameterValues parameters = with_values(list.manifest(), declaration.with);
     for (const Circumstance& where : intersection_circumstances()) {
-        list.check("first_hit", describe(parameters, list.manifest()) + "; " + describe(where), [&]() -> Finding {
+        list.check("first_hit", parameters, where, [&]() -> Finding {
             const CoordinateScene& scene = list.scenes().get(where.map, where.map_size);
             const Comparison& found = list.comparison(parameters, where);
             const double floor =
                 list.filter_deviation() * most_texels_through_relief(where.view, scene.map, found.truth.footprint);
             const double p99 = found.errors.uv_texels ? found.errors.uv_texels->p99 : INFINITY;
             const double wrong = found.errors.missed + found.errors.false_hits;
-            const std::size_t unconverged = unconverged_pixels(found.probe);
-            return {p99 < tolerance_texels + floor && wrong <= tolerated_pixels && unconverged == 0,
+            const UnconvergedPixels unconverged = unconverged_pixels(found.probe);
+            return {p99 < tolerance_texels + floor && wrong <= tolerated_pixels && unconverged.pixels == 0,
                     fmt::format("UV error p99 {:.3g} texels (bound {:.3g}), missed + false hits {:.4f} (bound {:g}), "
                                 "{} searches ended by their cap",
-                                p99, tolerance_texels + floor, wrong, tolerated_pixels, unconverged)};
+                                p99, tolerance_texels + floor, wrong, tolerated_pixels, unconverged.pixels),
+                    wrong > tolerated_pixels || p99 >= tolerance_texels + floor
+                        ? worst_place(found, scene.map, where.view, wrong > tolerated_pixels)
+                        : unconverged.first};
         });
     }
 }
@@ -88,14 +112,16 @@ void check_first_hit(CheckList& list, const PromiseDeclaration& declaration) {
 void check_conservative(CheckList& list, const PromiseDeclaration& declaration) {
     const ParameterValues parameters = with_values(list.manifest(), declaration.with);
     for (const Circumstance& where : intersection_circumstances()) {
-        list.check("conservative", describe(parameters, list.manifest()) + "; " + describe(where), [&]() -> Finding {
+        list.check("conservative", parameters, where, [&]() -> Finding {
             const CoordinateScene& scene = list.scenes().get(where.map, where.map_size);
             const Comparison& found = list.comparison(parameters, where);
-            const std::size_t beyond = pixels_beyond(found, scene.map, where.view, list.filter_deviation());
-            const double fraction = static_cast<double>(beyond) / static_cast<double>(found.errors.footprint);
-            return {found.errors.compared > 0 && fraction <= tolerated_pixels,
-                    fmt::format("{} of {} pixels go more than half a texel past the first hit (bound {:g})", beyond,
-                                found.errors.footprint, tolerated_pixels)};
+            const BeyondFirstHit beyond = beyond_first_hit(found, scene.map, where.view, list.filter_deviation());
+            if (found.errors.compared == 0) return {false, "nothing to compare: no pixel has both hits"};
+            const double fraction = static_cast<double>(beyond.pixels) / static_cast<double>(found.errors.footprint);
+            return {fraction <= tolerated_pixels,
+                    fmt::format("{} of {} pixels go more than half a texel past the first hit (bound {:g})",
+                                beyond.pixels, found.errors.footprint, tolerated_pixels),
+                    beyond.farthest};
         });
     }
 }

@@ -1,11 +1,13 @@
 #include "verify/promise_checks.hpp"
 
 #include "metrics/error_maps.hpp"
+#include "verify/worst_pixel.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace reliefbench {
 
@@ -22,9 +24,10 @@ struct SampledError {
     /// Pixels of the footprint without a hit, as a fraction.
     double missed = 1;
     double median = INFINITY;
-    /// The largest error as a fraction of its pixel's step.
+    /// The largest error as a fraction of its pixel's step, and where it is.
     double largest_in_steps = INFINITY;
     double floor = 0;
+    std::optional<PixelPlace> worst = {};
 };
 
 /// Errors of single floats in u, v and the ray parameter, in texels of the maps used here.
@@ -66,25 +69,50 @@ SampledError measure_error(CheckList& list, const PromiseDeclaration& declaratio
     const double deviation = amplification * list.filter_deviation();
     error.floor = deviation * most_texels_through_relief(where.view, scene.map, found.truth.footprint) + float_texels;
     error.missed = found.errors.missed;
-    if (!found.errors.uv_texels) return error;
+    if (error.missed > 0 || !found.errors.uv_texels) {
+        error.worst = worst_place(found, scene.map, where.view, true);
+        return error;
+    }
     error.median = found.errors.uv_texels->p50;
 
     const Image<float> uv_errors = uv_error_map(found.probe.hits, found.truth.hits, scene.map, where.view.relief);
-    error.largest_in_steps = 0;
-    for (int j = 0; j < where.view.resolution.height; ++j) {
-        for (int i = 0; i < where.view.resolution.width; ++i) {
-            const double stride = texels_through_relief(where.view, scene.map, i, j);
-            const double step = stride / static_cast<double>(sampling.samples << sampling.halvings);
-            const double excess = uv_errors.at(i, j) - deviation * stride - float_texels;
-            error.largest_in_steps = std::max(error.largest_in_steps, excess / step);
-        }
+    WorstPixel worst;
+    for (std::size_t pixel = 0; pixel < uv_errors.texels.size(); ++pixel) {
+        const auto [i, j] = place_of(pixel, where.view.resolution);
+        const double stride = texels_through_relief(where.view, scene.map, i, j);
+        const double step = stride / static_cast<double>(sampling.samples << sampling.halvings);
+        worst.offer((uv_errors.texels[pixel] - deviation * stride - float_texels) / step, pixel);
     }
+    error.largest_in_steps = worst.value();
+    error.worst = worst.place(where.view.resolution);
+    if (!error.worst) error.worst = worst_place(found, scene.map, where.view, false);
     return error;
 }
 
-bool falls(const SampledError& coarse, const SampledError& fine, double least_ratio, double greatest_ratio) {
-    return fine.missed == 0 && fine.median <= greatest_ratio * coarse.median + coarse.floor &&
-           fine.median >= least_ratio * coarse.median - coarse.floor;
+/// By what an error may fall from one step of a series to the next, but for the floor.
+struct Fall {
+    double least_ratio;
+    double greatest_ratio;
+};
+
+bool falls(const SampledError& coarse, const SampledError& fine, const Fall& fall) {
+    return fine.missed == 0 && fine.median <= fall.greatest_ratio * coarse.median + coarse.floor &&
+           fine.median >= fall.least_ratio * coarse.median - coarse.floor;
+}
+
+/// Whether a series can show that its errors do not fall: its first one is so far above the floor that staying there
+/// would be seen.
+bool can_tell(const std::vector<SampledError>& series, const Fall& fall) {
+    const SampledError& first = series.front();
+    return series.size() > 1 && first.median > fall.greatest_ratio * first.median + first.floor;
+}
+
+/// The first of a series that does not fall as it must; empty where all do.
+const SampledError* first_that_stays(const std::vector<SampledError>& series, const Fall& fall) {
+    for (std::size_t i = 1; i < series.size(); ++i) {
+        if (!falls(series[i - 1], series[i], fall)) return &series[i];
+    }
+    return nullptr;
 }
 
 std::string describe(const std::vector<SampledError>& errors) {
@@ -97,63 +125,128 @@ std::string describe(const std::vector<SampledError>& errors) {
     return text;
 }
 
-Finding judge_first_order(const std::vector<SampledError>& doublings, const std::vector<SampledError>& halvings) {
-    constexpr double least_ratio = 0.4;
-    constexpr double greatest_ratio = 0.6;
-    bool passed = true;
-    double largest = 0;
-    for (const auto* series : {&doublings, &halvings}) {
-        for (std::size_t i = 0; i < series->size(); ++i) {
-            if (i > 0) passed = passed && falls((*series)[i - 1], (*series)[i], least_ratio, greatest_ratio);
-            largest = std::max(largest, (*series)[i].largest_in_steps);
+/// Why the promise, as it is declared, cannot be checked; empty where it can.
+std::string contradiction(const Manifest& manifest, const PromiseDeclaration& declaration) {
+    const auto varied = [&](const std::string& key, const std::string& name) -> std::string {
+        if (declaration.with.contains(name)) {
+            return fmt::format("\"with\" fixes '{}', which the check varies ({}); leave it out of \"with\"", name, key);
         }
+        const ParameterValues values = with_values(manifest, declaration.with);
+        if (!all_hold(manifest.find_parameter(name)->only_with, values)) {
+            return fmt::format("'{}', which the check varies ({}), has no effect under \"with\"", name, key);
+        }
+        return {};
+    };
+    std::string reason = varied("sample_count", *manifest.sample_count);
+    if (reason.empty() && manifest.sample_count_minimum) {
+        const std::string& name = *manifest.sample_count_minimum;
+        if (declaration.with.contains(name)) reason = varied("sample_count_minimum", name);
     }
-    passed = passed && largest <= 1;
+    if (!reason.empty() || !declaration.halvings) return reason;
+    if (*declaration.halvings == *manifest.sample_count) {
+        return fmt::format("'{}' is the sample count and cannot be its own halvings", *declaration.halvings);
+    }
+    const Parameter& halvings = *manifest.find_parameter(*declaration.halvings);
+    if (halvings.minimum > 0 || halvings.maximum < 1) {
+        return fmt::format("the range of '{}' (halvings) must hold 0 and 1: without halving and with one",
+                           halvings.name);
+    }
+    return varied("halvings", *declaration.halvings);
+}
+
+/// A promise that cannot be checked is a failed check.
+bool can_be_checked(CheckList& list, const PromiseDeclaration& declaration) {
+    const std::string reason = contradiction(list.manifest(), declaration);
+    if (reason.empty()) return true;
+    const ParameterValues parameters = with_values(list.manifest(), declaration.with);
+    return list.check(to_string(declaration.promise), describe(parameters, list.manifest()), [&] {
+        return Finding{false, reason};
+    });
+}
+
+/// One draw for each sampling.
+std::vector<SampledError> measure_series(CheckList& list, const PromiseDeclaration& declaration,
+                                         const Circumstance& where, const std::vector<Sampling>& samplings) {
+    std::vector<SampledError> errors;
+    for (const Sampling& sampling : samplings)
+        errors.push_back(measure_error(list, declaration, where, sampling));
+    return errors;
+}
+
+/// What is wrong, with the draw that shows it.
+Finding failure(const CheckList& list, const PromiseDeclaration& declaration, const std::string& detail,
+                const SampledError& shown) {
+    return {false, detail, shown.worst, sampled_parameters(list.manifest(), declaration, shown.sampling)};
+}
+
+std::string nothing_to_compare(const std::string& by, const SampledError& first) {
+    return fmt::format(
+        "nothing to compare by {}: with {} samples the median UV error is {:.3g} texels already, as good as the floor "
+        "({:.2g})",
+        by, first.sampling.samples, first.median, first.floor);
+}
+
+Finding judge_first_order(const CheckList& list, const PromiseDeclaration& declaration,
+                          const std::vector<SampledError>& doublings, const std::vector<SampledError>& halvings) {
+    constexpr Fall fall{0.4, 0.6};
     std::string text = fmt::format("median UV error in texels by samples: {}", describe(doublings));
     if (!halvings.empty()) text += fmt::format("; by halvings: {}", describe(halvings));
-    return {passed, text + fmt::format("; must halve, floor {:.2g}; largest error {:.3g} steps (bound 1)",
-                                       doublings.back().floor, largest)};
+    const auto by_steps = [](const SampledError& a, const SampledError& b) {
+        return a.largest_in_steps < b.largest_in_steps;
+    };
+    std::vector<SampledError> all = doublings;
+    all.insert(all.end(), halvings.begin(), halvings.end());
+    const SampledError& farthest = *std::ranges::max_element(all, by_steps);
+    text += fmt::format("; must halve, floor {:.2g}; largest error {:.3g} steps (bound 1)", doublings.back().floor,
+                        farthest.largest_in_steps);
+    if (farthest.largest_in_steps > 1) return failure(list, declaration, text, farthest);
+    for (const auto& [by, series] : {std::pair("samples", &doublings), std::pair("halvings", &halvings)}) {
+        if (series->empty()) continue;
+        if (const SampledError* stays = first_that_stays(*series, fall))
+            return failure(list, declaration, text, *stays);
+        if (!can_tell(*series, fall))
+            return failure(list, declaration, nothing_to_compare(by, series->front()), series->front());
+    }
+    return {true, text};
 }
 
 }  // namespace
 
 void check_order_1(CheckList& list, const PromiseDeclaration& declaration) {
+    constexpr std::int64_t most_halvings = 6;
+    if (!can_be_checked(list, declaration)) return;
     // Gentle slopes: rays at 60° cross the surface once, so that coarse steps find the same crossing as the truth.
     for (const Circumstance& where : smooth_circumstances({256, 256}, 0.02)) {
         const ParameterValues parameters = with_values(list.manifest(), declaration.with);
-        list.check("order_1", describe(parameters, list.manifest()) + "; " + describe(where), [&]() -> Finding {
-            std::vector<SampledError> doublings;
-            for (const std::int64_t samples : {8, 16, 32, 64})
-                doublings.push_back(measure_error(list, declaration, where, {samples, 0}));
-            std::vector<SampledError> halvings;
+        list.check("order_1", parameters, where, [&]() -> Finding {
+            const auto doublings = measure_series(list, declaration, where, {{8, 0}, {16, 0}, {32, 0}, {64, 0}});
+            std::vector<Sampling> halved;
             if (declaration.halvings) {
-                const auto most = std::get<std::int64_t>(parameters.at(*declaration.halvings));
-                for (std::int64_t count = 0; count <= most; ++count)
-                    halvings.push_back(measure_error(list, declaration, where, {8, count}));
+                const double most = list.manifest().find_parameter(*declaration.halvings)->maximum;
+                for (std::int64_t count = 0; count <= most_halvings && static_cast<double>(count) <= most; ++count)
+                    halved.push_back({8, count});
             }
-            return judge_first_order(doublings, halvings);
+            return judge_first_order(list, declaration, doublings, measure_series(list, declaration, where, halved));
         });
     }
 }
 
 void check_order_2(CheckList& list, const PromiseDeclaration& declaration) {
-    constexpr double least_ratio = 0.17;
-    constexpr double greatest_ratio = 0.33;
+    constexpr Fall fall{0.17, 0.33};
+    if (!can_be_checked(list, declaration)) return;
     // Texels so fine that steps stay longer than texels: within one cell there is no curvature left to halve.
     for (const Circumstance& where : smooth_circumstances({1024, 1024}, 0.1)) {
         const ParameterValues parameters = with_values(list.manifest(), declaration.with);
-        list.check("order_2", describe(parameters, list.manifest()) + "; " + describe(where), [&]() -> Finding {
-            std::vector<SampledError> doublings;
-            bool passed = true;
-            for (const std::int64_t samples : {8, 16, 32}) {
-                doublings.push_back(measure_error(list, declaration, where, {samples, 0}));
-                const std::size_t last = doublings.size() - 1;
-                if (last > 0) {
-                    passed = passed && falls(doublings[last - 1], doublings[last], least_ratio, greatest_ratio);
-                }
-            }
-            return {passed, fmt::format("median UV error in texels by samples: {}; must fall by four, floor {:.2g}",
-                                        describe(doublings), doublings.back().floor)};
+        list.check("order_2", parameters, where, [&]() -> Finding {
+            const auto doublings = measure_series(list, declaration, where, {{8, 0}, {16, 0}, {32, 0}});
+            const std::string text =
+                fmt::format("median UV error in texels by samples: {}; must fall by four, floor {:.2g}",
+                            describe(doublings), doublings.back().floor);
+            if (const SampledError* stays = first_that_stays(doublings, fall))
+                return failure(list, declaration, text, *stays);
+            if (!can_tell(doublings, fall))
+                return failure(list, declaration, nothing_to_compare("samples", doublings.front()), doublings.front());
+            return {true, text};
         });
     }
 }

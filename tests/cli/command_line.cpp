@@ -29,14 +29,18 @@ std::string quoted(const std::string& argument) {
 }  // namespace
 
 Outcome CommandLine::reliefbench(const std::vector<std::string>& arguments, const std::string& before) const {
-    // The tests' folder is the working folder, so that nothing is left in anybody else's.
-    std::string command =
-        fmt::format("cd {} && {} {}", quoted(folder_.path().string()), before, quoted(RELIEFBENCH_BINARY));
+    std::string command = fmt::format("{} {}", before, quoted(RELIEFBENCH_BINARY));
     for (const std::string& argument : arguments) {
         command += fmt::format(" {}", quoted(argument));
     }
-    command += fmt::format(" >{} 2>{} </dev/null", quoted(path("stdout")), quoted(path("stderr")));
-    const int status = std::system(command.c_str());
+    return shell(command);
+}
+
+Outcome CommandLine::shell(const std::string& command) const {
+    // The tests' folder is the working folder, so that nothing is left in anybody else's.
+    const std::string in_folder = fmt::format("cd {} && {{ {}; }} >{} 2>{} </dev/null", quoted(folder_.path().string()),
+                                              command, quoted(path("stdout")), quoted(path("stderr")));
+    const int status = std::system(in_folder.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(path("stdout")), read_file(path("stderr"))};
 }
 

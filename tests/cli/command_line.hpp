@@ -25,6 +25,9 @@ protected:
     /// `before`: shell words in front of the binary ("ulimit -f 8;", "NAME=value").
     Outcome reliefbench(const std::vector<std::string>& arguments, const std::string& before = {}) const;
 
+    /// Runs a shell's command in the tests' folder.
+    Outcome shell(const std::string& command) const;
+
     /// Starts the command with its output in the files `out` and `err` of this test's folder.
     pid_t start(std::vector<std::string> arguments) const;
     /// Waits for the first samples of the run in this folder.
