@@ -78,10 +78,10 @@ std::vector<const CellResult*> BenchCells::failed() const {
 
 std::optional<Renderer> BenchCells::make_renderer(std::size_t index) {
     const Cell& cell = (*cells_)[index];
-    PreparedOrSkipped prepared = cell.skip_reason.empty()
-                                     ? prepare_cell(*device_, library_->get(cell.technique), cell, inputs_,
-                                                    *configuration_, {.map_cache = map_cache_folder()})
-                                     : PreparedOrSkipped{std::nullopt, cell.skip_reason};
+    PreparedOrSkipped prepared =
+        cell.skip_reason.empty() ? prepare_cell(*device_, library_->get(cell.technique), cell, inputs_, *configuration_,
+                                                {.map_cache = map_cache_folder(), .failed = failed_preparations_})
+                                 : PreparedOrSkipped{std::nullopt, cell.skip_reason};
     if (!prepared.cell) {
         CellResult& result = results_[index] = blank_result(cell);
         result.status = CellStatus::skipped;

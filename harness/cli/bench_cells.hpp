@@ -1,5 +1,6 @@
 #pragma once
 
+#include "measure/cell_preparation.hpp"
 #include "measure/draw_subject.hpp"
 #include "measure/shared_inputs.hpp"
 #include "store/cell_result.hpp"
@@ -60,6 +61,7 @@ private:
     const Configuration* configuration_;
     const std::vector<Cell>* cells_;
     SharedInputs inputs_;
+    FailedPreparations failed_preparations_;
     std::map<std::size_t, CellResult> results_;
     /// The one used last is the first.
     std::list<Ready> ready_;

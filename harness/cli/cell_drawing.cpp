@@ -26,8 +26,13 @@ Probe CellDrawing::probe(const Cell& cell) {
         unsupported_reason(*device_, technique, cell.parameters, view, loaded.map.heights.size);
     if (!unsupported.empty()) fail("{}: {}", cell.id, unsupported);
     Renderer renderer(*device_, technique, cell.parameters, loaded.scene, view, lighting_, object_);
-    const std::string given_up = renderer.prepare(preparation_).given_up;
-    if (!given_up.empty()) fail("{}: {} (--preparation-limit SECONDS)", cell.id, given_up);
+    const std::string maps = renderer.maps_key();
+    const FailedPreparations::Failure* known = failed_preparations_.find(maps);
+    const std::string given_up = known != nullptr ? known->reason : renderer.prepare(preparation_).given_up;
+    if (!given_up.empty()) {
+        failed_preparations_.add(maps, {true, given_up});
+        fail("{}: {} (--preparation-limit SECONDS)", cell.id, given_up);
+    }
     Probe probe = renderer.probe();
     const std::string cut = describe_cut_loops(*device_, probe);
     if (!cut.empty()) log_warning("{}: {}; its picture is not the technique's", cell.id, cut);

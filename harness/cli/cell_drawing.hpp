@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/device.hpp"
+#include "measure/cell_preparation.hpp"
 #include "measure/pictures.hpp"
 #include "measure/shared_inputs.hpp"
 #include "metrics/hit_errors.hpp"
@@ -36,6 +37,7 @@ private:
     Lighting lighting_;
     std::optional<SceneObject> object_;
     SharedInputs inputs_;
+    FailedPreparations failed_preparations_;
 };
 
 HitErrors hit_errors_of(const DrawnCell& drawn);

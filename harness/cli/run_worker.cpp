@@ -147,7 +147,10 @@ RunOutcome measure(const RunJob& job, const gpu::Device& device, RunWriter& writ
                    WorkerStatus& status) {
     const Configuration& configuration = job.sources.configuration;
     if (configuration.images) write_legends(writer);
-    DeviceCells source(device, job.sources.library, configuration, job.sources.cells, writer, map_cache_folder());
+    DeviceCells::Maps maps{.cache = map_cache_folder(),
+                           .on_maps = [&status](const std::string& key) { status.begin_maps(key); }};
+    maps.failed.add_crashed(earlier.crashed_preparations);
+    DeviceCells source(device, job.sources.library, configuration, job.sources.cells, writer, std::move(maps));
     ProgressPrinter printer;
     return run_cells(source, configuration, job.sources.cells, writer,
                      [&printer](const Progress& progress) { printer(progress); }, steady_clock(),

@@ -167,7 +167,7 @@ ExitCode supervise(const Supervision& supervision) {
             ++deaths_outside_cells;
         } else {
             deaths_outside_cells = 0;
-            append_crash(status.folder(), {cell, death.reason});
+            append_crash(status.folder(), {cell, death.reason, status.maps()});
         }
     }
     fmt::print(stderr, "reliefbench: no other worker is tried; what is finished is kept\n");

@@ -23,12 +23,23 @@ namespace {
 
 constexpr std::size_t longest_id = 16 * 1024;
 constexpr std::size_t longest_folder = 4096;
+constexpr std::size_t longest_key = 64;
 constexpr std::int64_t no_deadline = 0;
 
 void* map_shared(int descriptor, std::size_t size) {
     void* const memory = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
     if (memory == MAP_FAILED) fail("cannot share memory with a worker process: {}", std::strerror(errno));
     return memory;
+}
+
+/// Cut where it does not fit.
+template <std::size_t size>
+void store_text(std::string_view text, std::array<char, size>& place, std::atomic<std::size_t>& length) {
+    // Set to zero amid: a worker that dies here has told of nothing rather than of a mixture.
+    length = 0;
+    const std::size_t stored = std::min(text.size(), size);
+    std::copy_n(text.begin(), stored, place.begin());
+    length = stored;
 }
 
 std::int64_t now_ns() {
@@ -46,6 +57,8 @@ struct WorkerStatus::Shared {
     std::array<char, longest_folder> folder;
     std::atomic<std::size_t> id_length = 0;
     std::array<char, longest_id> id;
+    std::atomic<std::size_t> maps_length = 0;
+    std::array<char, longest_key> maps;
 };
 
 WorkerStatus::WorkerStatus(double pass_timeout_s) : descriptor_(memfd_create("reliefbench worker", MFD_CLOEXEC)) {
@@ -82,11 +95,11 @@ std::filesystem::path WorkerStatus::folder() const {
 }
 
 void WorkerStatus::begin_cell(std::string_view id) {
-    // Set to zero amid: a worker that dies here has told of no cell rather than of a mixture.
-    shared_->id_length = 0;
-    const std::size_t length = std::min(id.size(), longest_id);
-    std::copy_n(id.begin(), length, shared_->id.begin());
-    shared_->id_length = length;
+    store_text(id, shared_->id, shared_->id_length);
+}
+
+void WorkerStatus::begin_maps(std::string_view key) {
+    store_text(key, shared_->maps, shared_->maps_length);
 }
 
 void WorkerStatus::begin_passes(int passes) {
@@ -123,6 +136,7 @@ void WorkerStatus::clear() {
     shared_->deadline_ns = no_deadline;
     shared_->ending = Ending::unsaid;
     shared_->id_length = 0;
+    shared_->maps_length = 0;
 }
 
 void WorkerStatus::interrupt() {
@@ -131,6 +145,10 @@ void WorkerStatus::interrupt() {
 
 std::string WorkerStatus::cell() const {
     return {shared_->id.data(), shared_->id_length};
+}
+
+std::string WorkerStatus::maps() const {
+    return {shared_->maps.data(), shared_->maps_length};
 }
 
 bool WorkerStatus::is_overdue() const {

@@ -38,6 +38,8 @@ public:
     void set_folder(const std::filesystem::path& folder);
     /// What it is on from now on; empty: nothing that could be told from the rest. Ids longer than 16 KiB are cut.
     void begin_cell(std::string_view id);
+    /// The derived maps that it makes from now on, by a key of at most 64 characters; empty: none.
+    void begin_maps(std::string_view key);
     /// The device gets so many passes, after those that it has. They end in the order in which they began.
     void begin_passes(int passes);
     void end_passes();
@@ -52,6 +54,7 @@ public:
     /// Empty while no worker has set it. The workers' side, too.
     std::filesystem::path folder() const;
     std::string cell() const;
+    std::string maps() const;
     /// Whether passes take longer than they may.
     bool is_overdue() const;
     Ending ending() const;

@@ -9,11 +9,13 @@
 #include "metrics/image_errors.hpp"
 #include "metrics/shadow_errors.hpp"
 #include "metrics/wrong_surface.hpp"
+#include "store/crashes.hpp"
 #include "technique/cut_loops.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace reliefbench {
@@ -43,6 +45,8 @@ Preparation time_preparation(Renderer& renderer, const Configuration& configurat
     const double affordable = first_ms > 0 ? preparation_budget_ms / first_ms : most;
     settings.samples = static_cast<int>(std::clamp(affordable, 1.0, static_cast<double>(most)));
     settings.take_kept = false;
+    // It has shown that it stays below the limit: what a busy machine makes of its times does not skip the cell.
+    settings.limit_s = std::numeric_limits<double>::infinity();
     return renderer.prepare(settings);
 }
 
@@ -61,6 +65,33 @@ std::string reason_to_fail(const gpu::Device& device, const Manifest& manifest, 
         100 * work->unconverged, advise_longer_search(manifest, parameters));
 }
 
+/// time_preparation, unless it is known how it ends.
+Preparation prepare_once(const gpu::Device& device, Renderer& renderer, const Configuration& configuration,
+                         const LongPreparation& long_preparation) {
+    const std::string maps = renderer.maps_key();
+    if (const FailedPreparations::Failure* known = long_preparation.failed.find(maps)) {
+        if (!known->given_up) fail("{}", known->reason);
+        Preparation preparation;
+        preparation.given_up = known->reason;
+        return preparation;
+    }
+    const auto tell = [&](const std::string& key) {
+        if (long_preparation.on_maps) long_preparation.on_maps(key);
+    };
+    try {
+        tell(maps);
+        Preparation preparation = time_preparation(renderer, configuration, long_preparation);
+        tell({});
+        if (!preparation.given_up.empty()) long_preparation.failed.add(maps, {true, preparation.given_up});
+        return preparation;
+    } catch (const Error& error) {
+        tell({});
+        // A lost device says nothing of the maps.
+        if (!device.is_lost()) long_preparation.failed.add(maps, {false, error.what()});
+        throw;
+    }
+}
+
 /// Why the cell cannot be made on this machine; empty where it can. Nothing is loaded for it.
 std::string refusal(const gpu::Device& device, const Technique& technique, const Cell& cell, const SharedInputs& inputs,
                     const Configuration& configuration) {
@@ -74,6 +105,17 @@ std::string refusal(const gpu::Device& device, const Technique& technique, const
 }
 
 }  // namespace
+
+const FailedPreparations::Failure* FailedPreparations::find(const std::string& maps) const {
+    const auto found = failures_.find(maps);
+    return found == failures_.end() ? nullptr : &found->second;
+}
+
+void FailedPreparations::add_crashed(const std::map<std::string, std::vector<std::string>>& crashed) {
+    for (const auto& [maps, reasons] : crashed) {
+        if (reasons.size() >= most_crashes) add(maps, {false, crashed_preparation_reason(reasons)});
+    }
+}
 
 CellResult blank_result(const Cell& cell) {
     CellResult result;
@@ -99,9 +141,10 @@ PreparedOrSkipped prepare_cell(const gpu::Device& device, const Technique& techn
     const View& view = cell.view.view;
     Renderer renderer(device, technique, cell.parameters, loaded.scene, view, configuration.lighting,
                       configuration.object);
-    Preparation preparation = time_preparation(renderer, configuration, long_preparation);
+    Preparation preparation = prepare_once(device, renderer, configuration, long_preparation);
     if (!preparation.given_up.empty()) return {std::nullopt, preparation.given_up};
     Probe probe = renderer.probe();
+    if (!probe.faults.empty()) fail("{}", reason_of_faults(probe.faults, view.resolution.pixels()));
 
     CellResult result = blank_result(cell);
     for (const auto& [pass, samples] : preparation.pass_ms) {
@@ -135,4 +178,3 @@ PreparedOrSkipped prepare_cell(const gpu::Device& device, const Technique& techn
 }
 
 }  // namespace reliefbench
-    if (!probe.faults.empty()) fail("{}", reason_of_faults(probe.faults, view.resolution.pixels()));

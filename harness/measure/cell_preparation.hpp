@@ -8,8 +8,10 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace reliefbench {
 
@@ -30,11 +32,35 @@ struct PreparedOrSkipped {
     std::string skip_reason;
 };
 
+/// Preparations that could not be made, by the maps that they would have made (Renderer::maps_key): other cells of the
+/// same maps and settings would wait for the same end. Of one run, whose limit is one.
+class FailedPreparations {
+public:
+    struct Failure {
+        /// Given up at the limit, which skips the cell; else it fails.
+        bool given_up = false;
+        std::string reason;
+    };
+
+    /// Null where it is not known to fail.
+    const Failure* find(const std::string& maps) const;
+    void add(const std::string& maps, Failure failure) { failures_.emplace(maps, std::move(failure)); }
+    /// Those that workers of an earlier execution died on, too often to be tried again (store/crashes.hpp).
+    void add_crashed(const std::map<std::string, std::vector<std::string>>& crashed);
+
+private:
+    std::map<std::string, Failure> failures_;
+};
+
 /// What a preparation that takes long needs besides the configuration.
 struct LongPreparation {
     /// PreparationSettings::cache.
     std::filesystem::path map_cache = {};
     std::function<void(const PreparationProgress&)> on_progress = {};
+    /// Of the run so far, and added to.
+    FailedPreparations& failed;
+    /// Told the maps that are being made, and nothing when they are.
+    std::function<void(const std::string& maps)> on_maps = {};
 };
 
 /// "preparing (search) 34 %, 21 s left".
@@ -45,7 +71,8 @@ CellResult blank_result(const Cell& cell);
 
 /// Compiles, prepares (each pass timed several times) and probes the cell, and compares it with its view's truth.
 /// Skipped is what the device does not support and what takes longer to prepare than the configuration allows.
-/// Throws Error for what fails only this cell.
+/// Throws Error for what fails only this cell: an answer out of range, too. What failed before of the same maps is not
+/// tried again.
 PreparedOrSkipped prepare_cell(const gpu::Device& device, const Technique& technique, const Cell& cell,
                                SharedInputs& inputs, const Configuration& configuration,
                                const LongPreparation& long_preparation);

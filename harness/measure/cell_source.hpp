@@ -22,6 +22,8 @@ struct ReadyCell {
     std::unique_ptr<Subject> subject = {};
     /// Milliseconds of each run of the preparation's passes, kept for samples.jsonl.
     std::map<std::string, std::vector<double>> preparation_ms = {};
+    /// They are of an earlier execution, whose maps were kept: no time of this one.
+    bool preparation_kept = false;
 };
 
 /// Where a run gets cells that can be sampled: techniques on a device (measure/device_cells.hpp), or a fake in tests of

@@ -2,7 +2,6 @@
 
 #include "core/error.hpp"
 #include "gpu/device.hpp"
-#include "measure/cell_preparation.hpp"
 #include "measure/draw_subject.hpp"
 #include "measure/motion.hpp"
 #include "measure/run_pictures.hpp"
@@ -43,13 +42,13 @@ ReadyCell ended(std::size_t index, const Cell& cell, CellStatus status, const st
 }  // namespace
 
 DeviceCells::DeviceCells(const gpu::Device& device, const TechniqueLibrary& library, const Configuration& configuration,
-                         const std::vector<Cell>& cells, RunWriter& writer, std::filesystem::path map_cache)
+                         const std::vector<Cell>& cells, RunWriter& writer, Maps maps)
     : device_(device),
       library_(library),
       configuration_(configuration),
       cells_(cells),
       writer_(writer),
-      map_cache_(std::move(map_cache)),
+      maps_(std::move(maps)),
       device_state_(gpu::open_device_state(device)),
       inputs_(device, configuration.lighting, configuration.truth, configuration.object) {}
 
@@ -63,7 +62,10 @@ void DeviceCells::begin_block(std::span<const std::size_t> cells) {
 ReadyCell DeviceCells::make_ready(std::size_t index, const std::function<void(const std::string&)>& on_progress) {
     const Cell& cell = cells_[index];
     const LongPreparation long_preparation{
-        map_cache_, [&](const PreparationProgress& progress) { on_progress(describe(progress)); }};
+        .map_cache = maps_.cache,
+        .on_progress = [&](const PreparationProgress& progress) { on_progress(describe(progress)); },
+        .failed = maps_.failed,
+        .on_maps = maps_.on_maps};
     std::optional<PreparedOrSkipped> outcome;
     try {
         outcome.emplace(
@@ -83,7 +85,8 @@ ReadyCell DeviceCells::make_ready(std::size_t index, const std::function<void(co
     }
     ReadyCell ready{.index = index,
                     .result = std::move(prepared.result),
-                    .preparation_ms = std::move(prepared.preparation.pass_ms)};
+                    .preparation_ms = std::move(prepared.preparation.pass_ms),
+                    .preparation_kept = prepared.preparation.kept};
     if (ready.result.status == CellStatus::ok)
         ready.subject = std::make_unique<DeviceSubject>(std::move(prepared.renderer), configuration_.sampling);
     return ready;

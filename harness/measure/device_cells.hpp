@@ -1,5 +1,6 @@
 #pragma once
 
+#include "measure/cell_preparation.hpp"
 #include "measure/cell_source.hpp"
 #include "measure/shared_inputs.hpp"
 #include "store/run_folder.hpp"
@@ -16,9 +17,18 @@ namespace reliefbench {
 /// asks for them, go to the run's folder. All that it is given must outlive it.
 class DeviceCells : public CellSource {
 public:
-    /// `map_cache`: where derived maps that take long to make are kept (technique/map_cache.hpp); empty: nowhere.
+    /// What concerns making derived maps.
+    struct Maps {
+        /// Where those that take long are kept (technique/map_cache.hpp); empty: nowhere.
+        std::filesystem::path cache = {};
+        /// Of earlier executions.
+        FailedPreparations failed = {};
+        /// LongPreparation::on_maps.
+        std::function<void(const std::string& maps)> on_maps = {};
+    };
+
     DeviceCells(const gpu::Device& device, const TechniqueLibrary& library, const Configuration& configuration,
-                const std::vector<Cell>& cells, RunWriter& writer, std::filesystem::path map_cache);
+                const std::vector<Cell>& cells, RunWriter& writer, Maps maps);
 
     void begin_block(std::span<const std::size_t> cells) override;
     ReadyCell make_ready(std::size_t cell, const std::function<void(const std::string&)>& on_progress) override;
@@ -34,7 +44,7 @@ private:
     const Configuration& configuration_;
     const std::vector<Cell>& cells_;
     RunWriter& writer_;
-    std::filesystem::path map_cache_;
+    Maps maps_;
     std::unique_ptr<gpu::DeviceStateSource> device_state_;
     SharedInputs inputs_;
 };

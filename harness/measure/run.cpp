@@ -132,8 +132,10 @@ private:
         });
         estimate_.extend_preparation(clock_.seconds() - begin_s);
         if (interrupted()) return;
-        for (ReadyCell& cell : of_view)
+        for (ReadyCell& cell : of_view) {
+            count_preparation(cell);
             keep_ready(std::move(cell), ready);
+        }
     }
 
     ReadyCell make_ready(std::size_t index) {
@@ -151,9 +153,15 @@ private:
             source_.make_ready(index, [&](const std::string& progress) { report(cell.id + ": " + progress); });
         for (const auto& [pass, samples] : ready.preparation_ms) {
             writer_.append_samples({cell.id, pass, 0, 0, 1, samples});
-            split_.samples_s += total_ms(samples) / 1000.0;
         }
         return ready;
+    }
+
+    /// Of a cell that will be sampled: what a failed one took to prepare counts nowhere.
+    void count_preparation(const ReadyCell& cell) {
+        if (cell.result.status != CellStatus::ok || cell.preparation_kept) return;
+        for (const auto& [pass, samples] : cell.preparation_ms)
+            split_.samples_s += total_ms(samples) / 1000.0;
     }
 
     /// One that cannot be sampled is recorded. None is after the one that lost the device: it would fail for that

@@ -28,7 +28,8 @@ struct Progress {
 /// Where the wall time went, for the line at the end of a run.
 struct TimeSplit {
     double total_s = 0;
-    /// Inside GPU timestamps of counted samples.
+    /// Inside GPU timestamps of counted samples: those that are part of a cell's figures and were taken in this
+    /// execution. Preparations that were given up, that failed or that an earlier execution made are none.
     double samples_s = 0;
     double truth_s = 0;
     /// From the first visit of a block to its last, of all blocks, and what of it lay inside GPU timestamps of counted

@@ -173,17 +173,18 @@ private:
 
     std::optional<PreparedCell> prepare(const Technique& technique, const Cell& cell, std::string& reason) {
         try {
-            const LongPreparation long_preparation{settings_.map_cache, [&](const PreparationProgress& progress) {
-                                                       report(cell.id + ": " + describe(progress));
-                                                   }};
+            const LongPreparation long_preparation{
+                settings_.map_cache,
+                [&](const PreparationProgress& progress) { report(cell.id + ": " + describe(progress)); },
+                failed_preparations_};
             PreparedOrSkipped prepared =
                 prepare_cell(device_, technique, cell, inputs_, configuration_, long_preparation);
             reason = prepared.skip_reason;
-            if (prepared.cell) prepared.cell->probe = Probe{};
             if (prepared.cell && prepared.cell->result.status == CellStatus::failed) {
                 reason = prepared.cell->result.reason;
                 return std::nullopt;
             }
+            if (prepared.cell) prepared.cell->probe = Probe{};
             return std::move(prepared.cell);
         } catch (const Error& error) {
             reason = error.what();
@@ -253,6 +254,7 @@ private:
     const Clock& clock_;
     double start_s_;
     SharedInputs inputs_;
+    FailedPreparations failed_preparations_;
     VariantOutcome outcome_;
     std::size_t cells_done_ = 0;
 };

@@ -55,6 +55,7 @@ EarlierWork read_earlier_work(const std::filesystem::path& folder, const std::st
                          [](const RawSamples& a, const RawSamples& b) { return a.round < b.round; });
     }
     earlier.crashes = read_crashes(folder);
+    earlier.crashed_preparations = read_crashed_preparations(folder);
     return earlier;
 }
 

@@ -20,6 +20,8 @@ struct EarlierWork {
     std::map<std::string, std::vector<RawSamples>> visits;
     /// What ended the workers that were on a cell, by cell.
     std::map<std::string, std::vector<std::string>> crashes;
+    /// What ended the workers that were making derived maps, by the maps.
+    std::map<std::string, std::vector<std::string>> crashed_preparations;
     /// The environment is not the one that the run began in, and was told to go on all the same: cells are marked.
     bool forced = false;
 };

@@ -204,10 +204,8 @@ void RunWriter::append_recorded(const std::filesystem::path& other_run) {
          {std::pair(cells_file, &cells_), std::pair(samples_file, &samples_), std::pair(rounds_file, &rounds_)}) {
         append_whole_lines(other_run / name, **file);
     }
-    for (const auto& [cell, reasons] : read_crashes(other_run)) {
-        for (const std::string& reason : reasons)
-            append_crash(folder_, {cell, reason});
-    }
+    for (const Crash& crash : read_crash_lines(other_run))
+        append_crash(folder_, crash);
     const std::filesystem::path images = other_run / images_folder;
     if (!is_there(images)) return;
     make_folder(folder_ / images_folder);

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "core/number_text.hpp"
 #include "gpu/commands.hpp"
 #include "gpu/loop_limit.hpp"
 #include "technique/map_cache.hpp"
@@ -40,10 +41,11 @@ std::string reason_to_give_up(const PassDeclaration& pass, const SlicePlan& plan
     const bool will_be = plan.is_estimate_sound() && earlier_ms + plan.estimated_ms() > limit_s * ms_per_s;
     if (plan.is_done() || !(pass.sliced->ends_early ? over : over || will_be)) return {};
     return fmt::format(
-        "preparing its maps would take {} {:.0f} s (the pass '{}' had done {:.3g} % after {:.1f} s), more than the "
-        "limit of {:g} s; raise preparation.limit_s to have it done",
-        pass.sliced->ends_early ? "up to" : "about", (earlier_ms + plan.estimated_ms()) / ms_per_s, pass.name,
-        100 * plan.fraction(), (earlier_ms + plan.elapsed_ms()) / ms_per_s, limit_s);
+        "preparing its maps would take {} {} s (the pass '{}' had done {:.3g} % after {} s), more than the limit of "
+        "{:g} "
+        "s; raise preparation.limit_s to have it done",
+        pass.sliced->ends_early ? "up to" : "about", figure_above((earlier_ms + plan.estimated_ms()) / ms_per_s),
+        pass.name, 100 * plan.fraction(), figure_above((earlier_ms + plan.elapsed_ms()) / ms_per_s), limit_s);
 }
 
 }  // namespace

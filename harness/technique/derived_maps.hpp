@@ -27,14 +27,15 @@ public:
 
     std::vector<gpu::Binding> draw_bindings() const;
 
+    /// Identifies the content of the maps: the passes as compiled with the parameters that they use, the height map,
+    /// and the device with its driver.
+    std::string key() const;
+
 private:
     /// Makes the maps `settings.samples` times. False when it was given up.
     bool make(const PreparationSettings& settings, Preparation& result);
     bool take_kept(const PreparationSettings& settings, Preparation& result);
     void keep(const PreparationSettings& settings, const Preparation& result) const;
-    /// Identifies the content of the maps: the passes as compiled with the parameters that they use, the height map,
-    /// and the device with its driver.
-    std::string key() const;
     bool runs(const PassDeclaration& pass) const;
     bool is_written(const std::string& map) const;
     /// Conditions may leave out passes, but not some levels of a map that others write: that is an Error.

@@ -240,6 +240,10 @@ Preparation Renderer::prepare(const PreparationSettings& settings) {
     return preparation;
 }
 
+std::string Renderer::maps_key() const {
+    return state_->maps.key();
+}
+
 Probe Renderer::probe() {
     Probe probe = state_->probe(state_->setup);
     if (state_->object) show_object(probe, draw_timed(ColourTarget::linear_float));

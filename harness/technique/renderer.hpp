@@ -139,6 +139,8 @@ public:
     Renderer(Renderer&&) noexcept;
 
     Preparation prepare(const PreparationSettings& settings = {});
+    /// The same for all renderers whose maps are made in the same way from the same height map, whatever they draw.
+    std::string maps_key() const;
     Probe probe();
     /// The same from another camera, with the maps prepared once.
     Probe probe_from(const Camera& camera);

@@ -1,8 +1,11 @@
 #include "technique/slice_plan.hpp"
 
+#include "core/statistics.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <vector>
 
 namespace reliefbench {
 
@@ -17,8 +20,13 @@ constexpr double target_ms = 100;
 constexpr std::int64_t first_iterations = std::int64_t{1} << 22;
 /// A slice may be so many times as long as the one before.
 constexpr double largest_growth = 4;
-constexpr int sound_slices = 3;
+/// A slice is of full length from here on.
+constexpr double full_ms = target_ms / 2;
+constexpr std::size_t sound_slices = 5;
 constexpr double sound_ms = 500;
+/// Two seconds of them.
+constexpr std::size_t remembered_slices = 20;
+constexpr double unloaded_quantile = 0.25;
 
 }  // namespace
 
@@ -36,20 +44,27 @@ Slice SlicePlan::next() const {
 void SlicePlan::took(double milliseconds) {
     const Slice slice = next();
     const auto length = static_cast<double>(slice.end - slice.begin);
+    const bool is_full = milliseconds >= full_ms || slice.end - slice.begin == most_;
     done_ = slice.end;
     ++slices_;
     elapsed_ms_ += milliseconds;
     last_ms_per_source_ = milliseconds / length;
+    if (is_full) full_ms_per_source_.push_back(last_ms_per_source_);
+    if (full_ms_per_source_.size() > remembered_slices) full_ms_per_source_.pop_front();
     const double growth = milliseconds > 0 ? std::min(target_ms / milliseconds, largest_growth) : largest_growth;
     length_ = std::clamp<std::int64_t>(std::llround(growth * length), 1, most_);
 }
 
 double SlicePlan::estimated_ms() const {
-    return elapsed_ms_ + last_ms_per_source_ * static_cast<double>(sources_ - done_);
+    const double ms_per_source =
+        full_ms_per_source_.empty()
+            ? last_ms_per_source_
+            : quantile(std::vector(full_ms_per_source_.begin(), full_ms_per_source_.end()), unloaded_quantile);
+    return elapsed_ms_ + ms_per_source * static_cast<double>(sources_ - done_);
 }
 
 bool SlicePlan::is_estimate_sound() const {
-    return slices_ >= sound_slices && elapsed_ms_ >= sound_ms;
+    return full_ms_per_source_.size() >= sound_slices && elapsed_ms_ >= sound_ms;
 }
 
 }  // namespace reliefbench

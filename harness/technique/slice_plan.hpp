@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 
 namespace reliefbench {
 
@@ -27,9 +28,11 @@ public:
     /// Of the whole search in [0, 1].
     double fraction() const { return static_cast<double>(done_) / static_cast<double>(sources_); }
     double elapsed_ms() const { return elapsed_ms_; }
-    /// Of the whole search, if the rest costs as much a texel as the slice before; 0 before the first.
+    /// Of the whole search, if the rest costs as much a source as slices lately did while nothing else kept the device:
+    /// the lower quartile of the last ones of full length, for load only ever makes a slice longer, and short ones
+    /// mostly tell what a dispatch costs. Where none was of full length, as the last one; 0 before the first.
     double estimated_ms() const;
-    /// Whether slices have been timed for long enough that the estimate means something.
+    /// Whether enough slices of full length have been timed that the estimate means something.
     bool is_estimate_sound() const;
 
 private:
@@ -40,6 +43,8 @@ private:
     int slices_ = 0;
     double elapsed_ms_ = 0;
     double last_ms_per_source_ = 0;
+    /// Of slices of full length, the last ones.
+    std::deque<double> full_ms_per_source_;
 };
 
 }  // namespace reliefbench

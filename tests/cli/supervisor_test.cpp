@@ -109,6 +109,38 @@ Trace trace(ReliefRay ray) {
     }
 }
 
+TEST_F(Supervisor, MapsThatWorkersDiedOnAreNotMadeAgainForOtherCells) {
+    const std::filesystem::path slow = copy_technique("flat", "slow");
+    std::ofstream(slow / "technique.json") << R"({
+        "title": "Slow", "kind": "texture", "citation": "none", "parameters": [], "shape": "quad", "promises": [],
+        "maps": [{"name": "made", "format": "r32f"}],
+        "passes": [{"name": "search", "shader": "search.glsl", "writes": "made"}]})";
+    std::ofstream(slow / "search.glsl") << R"(
+void prepare(ivec2 texel) {
+    float sum = 0.0;
+    for (int i = 0; i < 65000; ++i) sum += tap_height(vec2(texel) + vec2(sum, float(i) * 0.001));
+    write_map(vec4(sum));
+}
+)";
+    std::ofstream(slow / "trace.glsl") << "Trace trace(ReliefRay ray) { return hit_off_ray(ray.uv, 1.0, 0); }";
+    Json json = tiny_configuration();
+    json["techniques"] = {"steep", "slow"};
+    json["axes"]["heightmap_size"] = 128;
+    json["axes"]["view_angle"] = {0, 30, 45, 60};
+    const Outcome outcome = reliefbench({"run", write_configuration("slow.json", json), "-o", path("run"),
+                                         "--techniques", path("techniques"), "--pass-timeout", "1s"});
+    EXPECT_EQ(outcome.code, 4) << outcome.err;
+    EXPECT_EQ(read_lines(path("run/crashes.jsonl")).size(), 2U) << outcome.err;
+    std::size_t not_made = 0;
+    for (const Json& cell : read_lines(path("run/cells.jsonl"))) {
+        EXPECT_EQ(cell.at("status"), cell.at("technique") == "slow" ? "failed" : "ok") << cell.at("reason");
+        const bool known =
+            cell.at("reason").dump().find("making its maps ended the worker process 2 times") != std::string::npos;
+        not_made += known ? 1 : 0;
+    }
+    EXPECT_EQ(not_made, 3U);
+}
+
 TEST_F(Supervisor, AWorkerThatIsKilledIsReplacedAndNothingIsLost) {
     const pid_t process = start({"run", write_configuration("long.json", long_configuration()), "-o", path("run")});
     await_samples("run");

@@ -31,5 +31,16 @@ TEST(NumberText, MustFitTheType) {
     EXPECT_EQ(whole_text_as<double>("1e999"), std::nullopt);
 }
 
+TEST(FigureAbove, HasThreeDigitsAndIsNeverBelow) {
+    EXPECT_EQ(figure_above(0.3002), "0.301");
+    EXPECT_EQ(figure_above(0.3), "0.300");
+    EXPECT_EQ(figure_above(18308), "18400");
+    EXPECT_EQ(figure_above(999.5), "1000");
+    EXPECT_EQ(figure_above(60.01), "60.1");
+    EXPECT_EQ(figure_above(0.00012345), "0.000124");
+    for (double value = 1e-4; value < 1e6; value *= 1.37)
+        EXPECT_GE(std::stod(figure_above(value)), value * (1 - 1e-9)) << value;
+}
+
 }  // namespace
 }  // namespace reliefbench

@@ -21,9 +21,11 @@ TEST(WorkerStatus, WhatTheWorkerTellsTheSupervisorKnowsAndTheOtherWayRound) {
     const auto worker = WorkerStatus::of_supervisor(dup(supervisor.descriptor()));
     worker->set_folder("results/mine");
     worker->begin_cell("pom | view_angle=60");
+    worker->begin_maps("0123456789abcdef");
     worker->end(WorkerStatus::Ending::device_lost);
     EXPECT_EQ(supervisor.folder(), "results/mine");
     EXPECT_EQ(supervisor.cell(), "pom | view_angle=60");
+    EXPECT_EQ(supervisor.maps(), "0123456789abcdef");
     EXPECT_EQ(supervisor.ending(), WorkerStatus::Ending::device_lost);
     EXPECT_FALSE(worker->is_interrupted());
     supervisor.interrupt();
@@ -34,9 +36,11 @@ TEST(WorkerStatus, TheNextWorkerStartsAfreshInTheSameFolder) {
     WorkerStatus status(10);
     status.set_folder("results/mine");
     status.begin_cell("a");
+    status.begin_maps("m");
     status.end(WorkerStatus::Ending::finished);
     status.clear();
     EXPECT_EQ(status.cell(), "");
+    EXPECT_EQ(status.maps(), "");
     EXPECT_EQ(status.ending(), WorkerStatus::Ending::unsaid);
     EXPECT_EQ(status.folder(), "results/mine");
 }

@@ -51,7 +51,9 @@ TEST(LoopLimit, IsWhereTheDeviceEndsLoopsAllTogether) {
     const Device device({.choice = "", .validation = true});
     const std::optional<std::uint32_t> limit = loop_limit(device);
     EXPECT_EQ(loop_limit(device), limit) << "asked again";
-    if (device.info().name.starts_with("llvmpipe")) EXPECT_EQ(limit, 65535U);
+    if (device.info().name.starts_with("llvmpipe")) {
+        EXPECT_EQ(limit, 65535U);
+    }
     const std::uint32_t most = limit.value_or(200000);
     // A little is what the ends of loops cost.
     constexpr std::uint32_t ends = 4;

@@ -30,8 +30,9 @@ protected:
         const std::vector<Cell> cells = expand(configuration, library.manifests());
         EXPECT_EQ(cells.size(), 1U);
         SharedInputs inputs(device(), configuration.lighting, configuration.truth);
+        FailedPreparations failed;
         PreparedOrSkipped prepared =
-            prepare_cell(device(), library.get(technique), cells.front(), inputs, configuration, {});
+            prepare_cell(device(), library.get(technique), cells.front(), inputs, configuration, {.failed = failed});
         EXPECT_EQ(prepared.skip_reason, "");
         return std::move(prepared.cell->result);
     }

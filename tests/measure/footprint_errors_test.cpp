@@ -32,8 +32,9 @@ protected:
         cell.view.view.relief.height_scale = 0.1;
         cell.view.view.relief.boundary = boundary;
         SharedInputs inputs(device(), configuration_.lighting, configuration_.truth);
+        FailedPreparations failed;
         PreparedOrSkipped prepared =
-            prepare_cell(device(), library().get(technique), cell, inputs, configuration_, LongPreparation{});
+            prepare_cell(device(), library().get(technique), cell, inputs, configuration_, {.failed = failed});
         EXPECT_TRUE(prepared.cell) << prepared.skip_reason;
         CellResult result = prepared.cell->result;
         const MotionSubject subject{&prepared.cell->renderer, &result};

@@ -43,12 +43,22 @@ public:
             ready.result.reason = "lost";
             return ready;
         }
+        if (preparations.contains(id)) ready.preparation_ms = {{"maps", {preparations.at(id)}}};
+        ready.preparation_kept = kept.contains(id);
+        if (failing.contains(id)) {
+            ready.result.status = CellStatus::failed;
+            ready.result.reason = "unconverged";
+            return ready;
+        }
         ready.subject = std::make_unique<Draw>(*this, id);
         return ready;
     }
 
-    void finish_view(std::span<ReadyCell> /*cells*/,
-                     const std::function<bool(const std::string&)>& /*goes_on*/) override {}
+    void finish_view(std::span<ReadyCell> cells, const std::function<bool(const std::string&)>& /*goes_on*/) override {
+        for (ReadyCell& cell : cells) {
+            if (failing_in_motion.contains(cell.result.cell)) cell.result.status = CellStatus::failed;
+        }
+    }
     bool is_device_lost() const override { return lost; }
     gpu::DeviceStateSource& device_state() override { return state_; }
     std::size_t in_flight() const override { return 1; }
@@ -57,6 +67,11 @@ public:
     std::vector<std::string> made;
     std::set<std::string> losing_at_once;
     std::set<std::string> losing_when_visited;
+    std::set<std::string> failing;
+    std::set<std::string> failing_in_motion;
+    /// Milliseconds.
+    std::map<std::string, double> preparations;
+    std::set<std::string> kept;
     bool lost = false;
 
 private:
@@ -112,6 +127,18 @@ std::vector<std::string> ids(const std::vector<CellResult>& cells, CellStatus st
         if (cell.status == status) found.push_back(cell.cell);
     }
     return found;
+}
+
+// Draws take 2 ms of each cell that is sampled: two rounds of one sample.
+TEST_F(RunCells, OnlyPreparationsOfSampledCellsAreInsideCountedSamples) {
+    const std::vector<Cell> cells = cells_of(4);
+    FakeCells source(cells);
+    source.preparations = {{"cell 0", 100}, {"cell 1", 1000}, {"cell 2", 10000}, {"cell 3", 100000}};
+    source.failing = {"cell 1"};
+    source.failing_in_motion = {"cell 2"};
+    source.kept = {"cell 3"};
+    RunWriter writer(folder / "run", Json::object());
+    EXPECT_NEAR(run(cells, source, writer).split.samples_s, 0.104, 1e-9);
 }
 
 TEST_F(RunCells, ADeviceLostInAVisitFailsThatCellAndLeavesTheOthersForANewOne) {

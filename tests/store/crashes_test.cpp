@@ -28,6 +28,17 @@ TEST(Crashes, AreReadBackByCellInTheirOrder) {
     EXPECT_THAT(crashes.at("b"), ElementsAre("other"));
 }
 
+TEST(Crashes, AreReadBackByTheMapsThatWereBeingMade) {
+    const TemporaryFolder folder;
+    append_crash(folder.path(), {"a", "first", "maps of rock"});
+    append_crash(folder.path(), {"b", "other"});
+    append_crash(folder.path(), {"c", "second", "maps of rock"});
+    const auto crashes = read_crashed_preparations(folder.path());
+    EXPECT_EQ(crashes.size(), 1U);
+    EXPECT_THAT(crashes.at("maps of rock"), ElementsAre("first", "second"));
+    EXPECT_EQ(read_crash_lines(folder.path()).size(), 3U);
+}
+
 TEST(Crashes, ALineThatWasCutShortIsLeftOutAndABrokenOneIsTold) {
     const TemporaryFolder folder;
     append_crash(folder.path(), {"a", "first"});

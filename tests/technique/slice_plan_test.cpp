@@ -64,5 +64,40 @@ TEST(SlicePlan, EstimatesTheWholeFromEvenSlices) {
     EXPECT_NEAR(plan.estimated_ms(), 50000, 1e-6);
 }
 
+/// Takes slices until the estimate is sound and `slices` are done.
+template <typename Milliseconds>
+void take(SlicePlan& plan, int slices, const Milliseconds& ms_of) {
+    for (int slice = 0; slice < slices || !plan.is_estimate_sound(); ++slice) {
+        const Slice next = plan.next();
+        plan.took(ms_of(slice, static_cast<double>(next.end - next.begin)));
+    }
+}
+
+// Every fourth slice stands still for a second, and those after it are short again.
+TEST(SlicePlan, LoadDoesNotEnterTheEstimate) {
+    for (int slices = 5; slices < 60; ++slices) {
+        SlicePlan plan(1000000, 1 << 16, 1);
+        take(plan, slices, [](int slice, double length) { return 0.5 * length + (slice % 4 == 3 ? 1000 : 0); });
+        const double rest_ms = 0.5 * 1000000 * (1 - plan.fraction());
+        EXPECT_NEAR(plan.estimated_ms() - plan.elapsed_ms(), rest_ms, 0.05 * rest_ms) << slices << " slices";
+    }
+}
+
+// A dispatch costs 5 ms whatever it does: the first, short ones tell little else.
+TEST(SlicePlan, WhatADispatchCostsDoesNotEnterTheEstimate) {
+    SlicePlan plan(1000000, 1 << 22, 1);
+    take(plan, 0, [](int, double length) { return 5 + 0.25 * length; });
+    EXPECT_NEAR(plan.estimated_ms(), 1000000 * (0.25 + 5.0 / 380), 0.02 * plan.estimated_ms());
+}
+
+TEST(SlicePlan, FewSlicesAreNoSoundEstimate) {
+    SlicePlan plan(1000000, 1 << 16, 1);
+    for (int slice = 0; slice < 4; ++slice) {
+        plan.next();
+        plan.took(10000);
+        EXPECT_FALSE(plan.is_estimate_sound()) << slice;
+    }
+}
+
 }  // namespace
 }  // namespace reliefbench
