@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace reliefbench {
@@ -15,6 +16,23 @@ namespace {
 
 constexpr std::array stop_reasons{StopReason::precise, StopReason::stalled, StopReason::budget, StopReason::rounds,
                                   StopReason::time};
+
+/// Of so many cells.
+std::string_view why_stopped(StopReason reason) {
+    switch (reason) {
+        case StopReason::precise:
+            return "precise enough";
+        case StopReason::stalled:
+            return "no longer getting more precise";
+        case StopReason::budget:
+            return "with the budget spent";
+        case StopReason::rounds:
+            return "with the rounds done";
+        case StopReason::time:
+            return "with the time spent";
+    }
+    return {};
+}
 
 std::size_t count_stops(const RunTally& tally, StopReason reason) {
     const auto found = tally.stops.find(reason);
@@ -62,12 +80,13 @@ std::string format_run_summary(const RunOutcome& outcome, const Json& empty_pass
     std::vector<std::string> stops;
     for (const StopReason reason : stop_reasons) {
         if (const std::size_t cells = count_stops(outcome.tally, reason); cells > 0) {
-            stops.push_back(fmt::format("{} {}", cells, to_string(reason)));
+            stops.push_back(fmt::format("{} {} {}", cells, cells == 1 ? "cell" : "cells", why_stopped(reason)));
         }
     }
-    text += fmt::format("stopped: {}", join(stops));
+    text += fmt::format("sampling stopped: {}", join(stops));
     if (const std::size_t cells = outcome.tally.throttled_cells; cells > 0) {
-        text += fmt::format("; {} cells count throttled rounds", cells);
+        text +=
+            fmt::format("; {} throttled rounds", cells == 1 ? "1 cell counts" : fmt::format("{} cells count", cells));
     }
     return text + '\n';
 }

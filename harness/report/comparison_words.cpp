@@ -1,6 +1,7 @@
 #include "report/comparison_words.hpp"
 
 #include "compare/describe.hpp"
+#include "report/merged_reason.hpp"
 #include "report/text_layout.hpp"
 
 #include <fmt/format.h>
@@ -99,13 +100,20 @@ std::vector<const CellComparison*> cells_with_other_changes(const Comparison& co
 
 std::vector<UncomparedGroup> uncompared_by_reason(const Comparison& comparison) {
     std::vector<UncomparedGroup> groups;
+    std::vector<MergedReason> reasons;
     for (const UncomparedCell& cell : comparison.uncompared) {
-        auto group = std::find_if(groups.begin(), groups.end(), [&](const UncomparedGroup& each) {
-            return each.reason == cell.reason && each.failed_now == cell.failed_now;
-        });
-        if (group == groups.end()) group = groups.insert(groups.end(), {cell.reason, cell.failed_now, {}});
-        group->cells.push_back(cell.cell);
+        std::size_t group = 0;
+        while (group < groups.size() &&
+               !(groups[group].failed_now == cell.failed_now && reasons[group].add(cell.reason)))
+            ++group;
+        if (group == groups.size()) {
+            reasons.emplace_back(cell.reason);
+            groups.push_back({{}, cell.failed_now, {}});
+        }
+        groups[group].cells.push_back(cell.cell);
     }
+    for (std::size_t group = 0; group < groups.size(); ++group)
+        groups[group].reason = reasons[group].text();
     std::stable_partition(groups.begin(), groups.end(), [](const UncomparedGroup& group) { return group.failed_now; });
     return groups;
 }

@@ -27,7 +27,7 @@ std::vector<const CellComparison*> cells_with(const Comparison& comparison, Qual
 /// Of the same quality, but something else of what was drawn changed: taps, steps, memory, counts of pixels.
 std::vector<const CellComparison*> cells_with_other_changes(const Comparison& comparison);
 
-/// Equal reasons together, cells that failed now first.
+/// Cells of one reason (MergedReason) together, those that failed now first.
 struct UncomparedGroup {
     std::string reason;
     bool failed_now = false;

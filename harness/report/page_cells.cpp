@@ -1,6 +1,7 @@
 #include "report/page_cells.hpp"
 
 #include "report/flat_fields.hpp"
+#include "report/quality_cost.hpp"
 
 #include <cassert>
 #include <cmath>
@@ -86,6 +87,21 @@ void add_members(const Json& members, std::size_t cell, NamedColumns<ValueColumn
     }
 }
 
+/// What cells that were not measured are listed under: reasons that differ by figures alone are one.
+void add_reason_groups(const std::vector<CellResult>& cells, NamedColumns<ValueColumn>& words) {
+    std::map<const CellResult*, std::string> group_of;
+    for (const CellStatus status : {CellStatus::failed, CellStatus::skipped}) {
+        for (const ReasonGroup& group : group_by_reason(cells, status)) {
+            for (const CellResult* cell : group.cells)
+                group_of.emplace(cell, group.reason);
+        }
+    }
+    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+        if (const auto found = group_of.find(&cells[cell]); found != group_of.end())
+            words["reason_group"].set(cell, found->second);
+    }
+}
+
 }  // namespace
 
 Json rounded_number(double value) {
@@ -116,6 +132,7 @@ Json cells_to_columns(const std::vector<CellResult>& cells) {
             }
         }
     }
+    add_reason_groups(cells, words);
     Json json;
     json["count"] = cells.size();
     json["id"] = ids;

@@ -1,5 +1,6 @@
 #include "report/quality_cost.hpp"
 
+#include "report/merged_reason.hpp"
 #include "report/text_layout.hpp"
 #include "store/view_variants.hpp"
 
@@ -179,13 +180,19 @@ QualityCostTable quality_cost_table(const std::vector<CellResult>& cells) {
 
 std::vector<ReasonGroup> group_by_reason(const std::vector<CellResult>& cells, CellStatus status) {
     std::vector<ReasonGroup> groups;
+    std::vector<MergedReason> reasons;
     for (const CellResult& cell : cells) {
         if (cell.status != status) continue;
-        auto group = std::find_if(groups.begin(), groups.end(),
-                                  [&](const ReasonGroup& each) { return each.reason == cell.reason; });
-        if (group == groups.end()) group = groups.insert(groups.end(), ReasonGroup{cell.reason, {}});
-        group->cells.push_back(cell.cell);
+        const auto joined = std::ranges::find_if(reasons, [&](MergedReason& each) { return each.add(cell.reason); });
+        const auto group = static_cast<std::size_t>(joined - reasons.begin());
+        if (joined == reasons.end()) {
+            reasons.emplace_back(cell.reason);
+            groups.emplace_back();
+        }
+        groups[group].cells.push_back(&cell);
     }
+    for (std::size_t group = 0; group < groups.size(); ++group)
+        groups[group].reason = reasons[group].text();
     return groups;
 }
 

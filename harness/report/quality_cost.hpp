@@ -61,10 +61,10 @@ struct QualityCostTable {
 /// in the order of the cells, so that what an axis costs and changes is seen at a glance. Refers to the cells.
 QualityCostTable quality_cost_table(const std::vector<CellResult>& cells);
 
-/// Cells that failed or were skipped for the same reason, in the order of their first.
+/// Cells that failed or were skipped for one reason (MergedReason), in the order of their first. Refers to them.
 struct ReasonGroup {
     std::string reason;
-    std::vector<std::string> cells;
+    std::vector<const CellResult*> cells;
 };
 
 std::vector<ReasonGroup> group_by_reason(const std::vector<CellResult>& cells, CellStatus status);

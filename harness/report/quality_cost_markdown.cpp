@@ -35,8 +35,8 @@ std::string format_view(const QualityCostView& view, const std::vector<QualityCo
 std::string format_unmeasured(const Run& run, CellStatus status, std::string_view word) {
     std::vector<std::vector<std::string>> rows;
     for (const ReasonGroup& group : group_by_reason(run.cells, status)) {
-        for (const std::string& cell : group.cells) {
-            rows.push_back({markdown_code(cell), markdown_text(group.reason)});
+        for (const CellResult* cell : group.cells) {
+            rows.push_back({markdown_code(cell->cell), markdown_text(cell->reason)});
         }
     }
     if (rows.empty()) return "";

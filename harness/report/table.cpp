@@ -161,17 +161,17 @@ private:
     std::size_t name_width_ = 0;
 };
 
-/// Cells of one status, equal reasons together.
+/// Cells of one status by their reasons.
 std::string format_reasons(const std::vector<CellResult>& cells, CellStatus status, std::string_view word,
                            std::size_t columns) {
     std::string text;
-    for (const auto& [reason, ids] : group_by_reason(cells, status)) {
-        text += indented(fmt::format("{}, {}: {}", word, counted(ids.size(), "cell"), reason), 0, columns);
-        for (std::size_t cell = 0; cell < std::min(ids.size(), cells_named); ++cell) {
-            text += indented(ids[cell], 4, columns);
+    for (const auto& [reason, of_reason] : group_by_reason(cells, status)) {
+        text += indented(fmt::format("{}, {}: {}", word, counted(of_reason.size(), "cell"), reason), 0, columns);
+        for (std::size_t cell = 0; cell < std::min(of_reason.size(), cells_named); ++cell) {
+            text += indented(of_reason[cell]->cell, 4, columns);
         }
-        if (ids.size() > cells_named)
-            text += indented(fmt::format("and {} more", ids.size() - cells_named), 4, columns);
+        if (of_reason.size() > cells_named)
+            text += indented(fmt::format("and {} more", of_reason.size() - cells_named), 4, columns);
     }
     return text;
 }

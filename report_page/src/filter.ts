@@ -32,13 +32,13 @@ export interface ReasonGroup {
   cells: number[];
 }
 
-/** Failed and skipped cells, equal reasons together, failed ones first. */
+/** Failed and skipped cells, reasons that differ by figures alone together, failed ones first. */
 export function reasonGroups(cells: Cells): ReasonGroup[] {
   const groups = new Map<string, ReasonGroup>();
   for (let cell = 0; cell < cells.count; ++cell) {
     const status = statusOf(cells, cell);
     if (status === "ok") continue;
-    const reason = textOf(cells.words["reason"], cell) ?? "no reason given";
+    const reason = textOf(cells.words["reason_group"], cell) ?? "no reason given";
     const key = `${status}\n${reason}`;
     const group = groups.get(key);
     if (group) group.cells.push(cell);

@@ -36,6 +36,7 @@ export function cellsOf(rows: SampleCell[]): Cells {
       technique: column(rows.map((row) => row.id.split(" ")[0])),
       status: column(rows.map((row) => row.status ?? "ok")),
       reason: column(rows.map((row) => row.reason)),
+      reason_group: column(rows.map((row) => row.reason)),
     },
     axes: columns(rows.map((row) => row.axes ?? {})),
     params: columns(rows.map((row) => row.params ?? {})),

@@ -34,7 +34,8 @@ TEST(RunSummary, IsPrinted) {
     const std::string text = format_run_summary(outcome_of_four(), empty_pass);
     EXPECT_THAT(text, HasSubstr("time: 20.0 s in all; 8.0 s inside counted GPU samples, 1.0 s tracing truths: 45 %\n"));
     EXPECT_THAT(text, HasSubstr("93.8 % of it inside counted samples; an empty pass takes 0.0013 ms\n"));
-    EXPECT_THAT(text, HasSubstr("stopped: 2 precise, 1 budget; 1 cells count throttled rounds\n"));
+    EXPECT_THAT(text, HasSubstr("sampling stopped: 2 cells precise enough, 1 cell with the budget spent; 1 cell counts "
+                                "throttled rounds\n"));
 }
 
 TEST(RunSummary, WithoutTimingsThereIsNoUtilisation) {

@@ -35,6 +35,7 @@ TEST(PageCells, AFieldIsAColumnWithOneEntryPerCell) {
     EXPECT_EQ(json.at("words").at("technique").at("values"), Json({"pom", "tessellation", "mine"}));
     EXPECT_EQ(json.at("words").at("technique").at("index"), Json({0, 1, 2}));
     EXPECT_EQ(json.at("words").at("reason").at("index"), Json({-1, 0, 1}));
+    EXPECT_EQ(json.at("words").at("reason_group"), json.at("words").at("reason"));
     EXPECT_EQ(json.at("axes").at("heightmap").at("values"), Json({"bricks, \"red\""}));
     EXPECT_EQ(json.at("axes").at("heightmap").at("index"), Json({0, -1, -1}));
     EXPECT_EQ(json.at("params").at("refine").at("values"), Json({true}));

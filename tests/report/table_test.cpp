@@ -240,6 +240,25 @@ TEST(Table, FailedAndSkippedCellsFollowWithEqualReasonsTogether) {
     EXPECT_LT(table.find("* pom"), table.find("failed, "));
 }
 
+TEST(Table, ReasonsThatDifferByFiguresAreOne) {
+    const auto given_up = [](const std::string& estimate, const std::string& percent) {
+        return "would take about " + estimate + " s (the pass 'search_2' had done " + percent +
+               " %), more than the limit of 20 s";
+    };
+    const std::string table = format_table({
+        unmeasured("a | v", CellStatus::skipped, given_up("594", "3.2")),
+        unmeasured("b | v", CellStatus::skipped, given_up("18308", "0.5")),
+        unmeasured("c | v", CellStatus::skipped, given_up("600", "3.2")),
+        unmeasured("d | v", CellStatus::skipped, "a map of 512x512 is too large"),
+        unmeasured("e | v", CellStatus::skipped, "a map of 513x513 is too large"),
+    });
+    EXPECT_THAT(table, testing::EndsWith("skipped, 3 cells: would take about 594 to 18308 s (the pass 'search_2' had "
+                                         "done 0.5 to 3.2 %), more\nthan the limit of 20 s\n"
+                                         "    a | v\n    b | v\n    c | v\n"
+                                         "skipped, 1 cell: a map of 512x512 is too large\n    d | v\n"
+                                         "skipped, 1 cell: a map of 513x513 is too large\n    e | v\n"));
+}
+
 TEST(Table, NothingMeasuredIsNoEmptyTable) {
     EXPECT_EQ(format_table({}), "");
     EXPECT_THAT(format_table({unmeasured("a | v", CellStatus::failed, "why")}), Not(HasSubstr("taps")));
