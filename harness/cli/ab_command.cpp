@@ -15,6 +15,7 @@
 #include "measure/shared_inputs.hpp"
 #include "measure/variants.hpp"
 #include "report/comparison_format.hpp"
+#include "store/device_share.hpp"
 #include "store/line_file.hpp"
 #include "technique/baseline_sources.hpp"
 #include "technique/map_cache.hpp"
@@ -129,7 +130,8 @@ ExitCode compare_live(const AbOptions& options) {
     const std::vector<HeightMapRecord> maps = inspect_height_maps(sources.cells);
     const gpu::Device device(options.device.options);
     const std::optional<DeviceLock> lock = options.sharing.lock(device.info());
-    const Json record = make_run_record({sources.configuration, sources.library, sources.cells, maps, device});
+    const Json record =
+        make_run_record({sources.configuration, sources.library, sources.cells, maps, device, options.sharing.share});
     fmt::print(stderr, "{} cells on {}, base: {}\n", sources.cells.size(), device.info().name, baseline.description);
     VariantOutcome outcome;
     {
@@ -141,6 +143,8 @@ ExitCode compare_live(const AbOptions& options) {
     }
     Comparison comparison = compare_variants(outcome, threshold);
     comparison.notices = notices_on(base, sources.library, outcome, baseline);
+    if (const std::string shared = describe(device_share(record), "the times"); !shared.empty())
+        comparison.notices.push_back(shared);
     comparison.environment["base"] = side_record(baseline.description, base, record);
     comparison.environment["new"] = side_record(own.description, sources.library, record);
     comparison.environment["sampling"] = {{"budget_s", settings.budget_s},

@@ -172,11 +172,12 @@ std::size_t run_benchmarks(const std::vector<std::string>& flags) {
     return benchmark::RunSpecifiedBenchmarks(json_display ? &display : nullptr, json_file ? &file : nullptr);
 }
 
-void add_context(const gpu::DeviceInfo& device) {
+void add_context(const gpu::DeviceInfo& device, bool shares_device) {
     benchmark::AddCustomContext("device", device.name);
     benchmark::AddCustomContext("driver", device.driver);
     benchmark::AddCustomContext("driver_version", device.driver_version);
     benchmark::AddCustomContext("tool_version", collect_environment().tool_version);
+    if (shares_device) benchmark::AddCustomContext("shared_device", "true");
 }
 
 ExitCode bench(const BenchOptions& options) {
@@ -193,7 +194,7 @@ ExitCode bench(const BenchOptions& options) {
         inspect_height_maps(sources.cells);
         device.emplace(options.device.options);
         lock = options.sharing.lock(device->info());
-        add_context(device->info());
+        add_context(device->info(), options.sharing.share);
         cells.emplace(*device, sources.library, sources.configuration, sources.cells);
     }
     const bool least_time_given = flag_value(options.flags, "min_time").has_value();

@@ -5,7 +5,7 @@
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/suggest.hpp"
-#include "report/table.hpp"
+#include "report/run_format.hpp"
 #include "store/merge.hpp"
 #include "sweep/shard.hpp"
 
@@ -77,7 +77,8 @@ ExitCode merge(const MergeOptions& options) {
         writer.append_recorded(folder);
     fmt::print(stderr, "{} cells of {} shards in {}\n", merged.run.cells.size(), options.folders.size(),
                options.output);
-    print_results(format_table(merged.run.cells, {.columns = std::min(table_columns(), TableStyle().columns)}));
+    print_results(
+        format_run(merged.run, RunFormat::table, {.columns = std::min(table_columns(), TableStyle().columns)}));
     return ExitCode::done;
 }
 

@@ -135,7 +135,8 @@ void say_how_to_go_on(std::size_t finished, const RunJob& job) {
 Json make_record(const RunJob& job, const gpu::Device& device) {
     const std::vector<HeightMapRecord> maps = inspect_height_maps(job.sources.cells);
     warn_of_constant_maps(maps);
-    Json record = make_run_record({job.sources.configuration, job.sources.library, job.sources.cells, maps, device});
+    Json record = make_run_record(
+        {job.sources.configuration, job.sources.library, job.sources.cells, maps, device, job.sharing.share});
     record["command_line"] = job.command_line;
     record["filters"] = job.sources.filters;
     if (job.shard) record["shard"] = {{"index", job.shard->index}, {"count", job.shard->count}};

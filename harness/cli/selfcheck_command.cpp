@@ -21,6 +21,7 @@
 #include "measure/variants.hpp"
 #include "report/comparison_words.hpp"
 #include "report/text_layout.hpp"
+#include "store/device_share.hpp"
 #include "store/noise_record.hpp"
 #include "store/run_folder.hpp"
 #include "technique/map_cache.hpp"
@@ -84,6 +85,7 @@ std::vector<std::string> run_command_line(const SelfcheckOptions& options, const
     add("--filter", options.filters);
     add("--techniques", options.library.directories);
     if (!options.device.options.choice.empty()) add("--device", {options.device.options.choice});
+    if (options.sharing.share) words.emplace_back("--share-device");
     return words;
 }
 
@@ -237,7 +239,8 @@ ExitCode selfcheck(SelfcheckOptions options) {
         const gpu::Device device(options.device.options);
         const std::optional<DeviceLock> lock = options.sharing.lock(device.info());
         const std::vector<HeightMapRecord> maps = inspect_height_maps(sources.cells);
-        const Json run = make_run_record({sources.configuration, sources.library, sources.cells, maps, device});
+        const Json run = make_run_record(
+            {sources.configuration, sources.library, sources.cells, maps, device, options.sharing.share});
         record.machine = machine_of(run);
         record.time = run.at("environment").at("time").get<std::string>();
         fmt::print(stderr, "{} on {}, against themselves\n", counted(sources.cells.size(), "cell"), device.info().name);
@@ -254,6 +257,7 @@ ExitCode selfcheck(SelfcheckOptions options) {
     record.between_runs = pool_noise(record.cells, record.time);
     write_noise_record(folder, record);
 
+    if (options.sharing.share) log_warning("{}", describe(DeviceShare::always, "these times"));
     print_results(describe_within_process(comparison, settings.budget_s) + describe_between_runs(record, processes) +
                   fmt::format("kept for `reliefbench compare` in {}\n", folder.string()));
     for (const UncomparedGroup& group : uncompared_by_reason(comparison)) {

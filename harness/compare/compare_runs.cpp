@@ -7,6 +7,7 @@
 #include "compare/run_side.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "store/device_share.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -278,6 +279,10 @@ Comparison compare_runs(std::span<const StoredRun> base_runs, std::span<const St
         if (from_changed_tree(runs.front())) {
             comparison.notices.push_back(
                 fmt::format("{} was made from a work tree with changes not committed", runs.front().name));
+        }
+        for (const StoredRun& run : runs) {
+            const std::string shared = describe(device_share(run.run.run), "the times of " + run.name);
+            if (!shared.empty()) comparison.notices.push_back(shared);
         }
         for (const StoredRun& run : runs.subspan(1)) {
             const std::vector<std::string> differences = run_differences(runs.front(), run);

@@ -81,6 +81,7 @@ Json make_run_record(const RunSubject& subject) {
     Json record;
     record["configuration"] = subject.configuration.expanded;
     record["environment"] = environment_to_json();
+    record["environment"]["shared_device"] = subject.shares_device;
     record["device"] = device_record(subject.device.info());
     record["techniques"] = technique_hashes(subject.library, subject.cells);
     record["shaders"] = hash_folder(shader_root());

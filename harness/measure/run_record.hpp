@@ -16,6 +16,8 @@ struct RunSubject {
     const std::vector<Cell>& cells;
     const std::vector<HeightMapRecord>& height_maps;
     const gpu::Device& device;
+    /// Times are made beside other processes that measure on the device (--share-device).
+    bool shares_device = false;
 };
 
 /// The content of run.json, but for what only the command line knows: configuration as expanded, environment, device,

@@ -2,6 +2,7 @@
 
 #include "core/parallel.hpp"
 #include "core/statistics.hpp"
+#include "store/device_share.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,8 @@ Json context_of(const Json& record) {
     add("driver", member(record, "device", "driver"));
     add("driver_version", member(record, "device", "driver_version"));
     add("tool_version", member(record, "environment", "tool_version"));
+    if (const DeviceShare share = device_share(record); share == DeviceShare::always || share == DeviceShare::partly)
+        context["shared_device"] = "true";
     add("git_revision", member(record, "environment", "git_revision"));
     add("configuration", member(record, "configuration", "name"));
     return context;

@@ -83,6 +83,7 @@ Json part_record(const NamedRun& run) {
     part["name"] = run.name;
     for (const char* key : {"shard", "environment", "device"})
         part[key] = run.run.run.contains(key) ? run.run.run.at(key) : Json(nullptr);
+    if (run.run.run.contains("resumed")) part["resumed"] = run.run.run.at("resumed");
     part["cells"] = Json::array();
     for (const CellResult& cell : run.run.cells)
         part["cells"].push_back(cell.cell);

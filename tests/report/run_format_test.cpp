@@ -9,6 +9,9 @@
 namespace reliefbench {
 namespace {
 
+using testing::HasSubstr;
+using testing::Not;
+
 TEST(RunFormat, JsonIsTheCellsAsTheFileHasThem) {
     const reliefbench::Run run = sample_run();  // testing::Test has a Run of its own
     const Json cells = Json::parse(format_run(run, RunFormat::json, {}));
@@ -24,6 +27,19 @@ TEST(RunFormat, EachHasItsOwnText) {
     EXPECT_THAT(format_run(run, parse_run_format("table"), {}), testing::StartsWith("heightmap=bricks\n"));
     EXPECT_THAT(format_run(run, parse_run_format("markdown"), {}), testing::StartsWith("### heightmap=bricks\n"));
     EXPECT_THAT(format_run(run, parse_run_format("csv"), {}), testing::StartsWith("cell,technique,"));
+}
+
+TEST(RunFormat, TimesMadeOnASharedDeviceSaySo) {
+    reliefbench::Run run = sample_run();
+    for (const char* format : {"table", "markdown"}) {
+        run.run["environment"]["shared_device"] = false;
+        EXPECT_THAT(format_run(run, parse_run_format(format), {}), Not(HasSubstr("share-device"))) << format;
+        run.run["environment"].erase("shared_device");
+        EXPECT_THAT(format_run(run, parse_run_format(format), {}), Not(HasSubstr("share-device"))) << format;
+        run.run["environment"]["shared_device"] = true;
+        EXPECT_THAT(format_run(run, parse_run_format(format), {}), HasSubstr("were made with --share-device"))
+            << format;
+    }
 }
 
 TEST(RunFormat, AnUnknownNameIsAnError) {
