@@ -14,7 +14,7 @@ namespace reliefbench {
 enum class Promise {
     /// Finds the first intersection, to the filter's floor.
     first_hit,
-    /// On a smooth map the error halves as the sample count doubles, and stays below one step.
+    /// On a smooth map the error halves as the sample count doubles, and stays below one step, or the part promised.
     order_1,
     /// On a smooth map the error falls by four as the sample count doubles, until the filter's floor.
     order_2,
@@ -30,6 +30,8 @@ struct PromiseDeclaration {
     ParameterValues with;
     /// order_1 only: the parameter that halves the step this many more times (a binary search), or none.
     std::optional<std::string> halvings;
+    /// order_1 only: the largest error, in steps; above 0 and at most 1.
+    double within = 1;
 };
 
 /// A texture that preparation passes derive from the height map, bound to every shader of the technique under its name.

@@ -219,7 +219,7 @@ Shape parse_shape(const JsonView& view, const Manifest& manifest) {
 }
 
 PromiseDeclaration parse_promise(const JsonView& view, const Manifest& manifest) {
-    view.require_only({"promise", "with", "halvings"});
+    view.require_only({"promise", "with", "halvings", "within"});
     PromiseDeclaration declared;
     declared.promise = static_cast<Promise>(view.at("promise").choice(promises));
     const bool is_order = declared.promise == Promise::order_1 || declared.promise == Promise::order_2;
@@ -227,9 +227,15 @@ PromiseDeclaration parse_promise(const JsonView& view, const Manifest& manifest)
         view.at("promise").fail_here("it needs a \"sample_count\", as it tells how errors fall with it");
     }
     if (view.has("with")) declared.with = parse_values(view.at("with"), manifest);
+    for (const char* key : {"halvings", "within"}) {
+        if (view.has(key) && declared.promise != Promise::order_1)
+            view.at(key).fail_here("it belongs to the promise order_1 only");
+    }
+    if (view.has("within")) {
+        declared.within = view.at("within").number(0, 1);
+        if (declared.within == 0) view.at("within").fail_here("no error is within no part of a step");
+    }
     if (view.has("halvings")) {
-        if (declared.promise != Promise::order_1)
-            view.at("halvings").fail_here("it belongs to the promise order_1 only");
         declared.halvings = parse_integer_name(view.at("halvings"), manifest);
     }
     for (const PromiseDeclaration& earlier : manifest.promises) {

@@ -21,7 +21,20 @@ Refined refine_linearly(Crossing crossing) {
     return Refined(mix(crossing.s_above, crossing.s_below, fraction), crossing.steps);
 }
 
-// `halvings` taps; the last point known to be beneath the surface (Policarpo 2005).
+// Which point of the interval that halving leaves is the answer, for techniques with the parameter `binary_answer` of
+// compile time: its end above the surface, its end beneath (Policarpo 2005), else its middle (Policarpo 2007, Dykhta
+// 2013), which halves the largest error.
+float binary_answer_between(float s_above, float s_below) {
+#if defined(BINARY_ANSWER_ABOVE)
+    return s_above;
+#elif defined(BINARY_ANSWER_BENEATH)
+    return s_below;
+#else
+    return 0.5 * (s_above + s_below);
+#endif
+}
+
+// `halvings` taps (Policarpo 2005).
 Refined refine_by_halving(ReliefRay ray, Crossing crossing, int halvings) {
     float s_above = crossing.s_above;
     float s_below = crossing.s_below;
@@ -32,7 +45,7 @@ Refined refine_by_halving(ReliefRay ray, Crossing crossing, int halvings) {
         else
             s_below = middle;
     }
-    return Refined(s_below, crossing.steps + halvings);
+    return Refined(binary_answer_between(s_above, s_below), crossing.steps + halvings);
 }
 
 // Ray and chord are intersected, and the intersection takes the place of the end on its side of the surface, again and

@@ -19,8 +19,8 @@ void check_first_hit(CheckList& list, const PromiseDeclaration& declaration);
 void check_conservative(CheckList& list, const PromiseDeclaration& declaration);
 
 /// On the smooth map, seen so that each ray crosses it once: the median UV error halves (0.4 to 0.6) with each doubling
-/// of the sample count and with each of the `halvings`, until the floor; and no error exceeds its pixel's
-/// stride/(samples·2^halvings) + floor.
+/// of the sample count and with each of the `halvings`, until the floor; and no error exceeds
+/// `within` of its pixel's stride/(samples·2^halvings) + floor.
 void check_order_1(CheckList& list, const PromiseDeclaration& declaration);
 
 /// On the smooth map: the median UV error falls by about four (to 0.17 to 0.33) with each doubling of the sample count,

@@ -37,7 +37,8 @@ Json complete() {
                    {"name": "nodes", "shader": "nodes.glsl", "writes": "tree", "levels": "above_base"},
                    {"name": "search", "shader": "sub/search.glsl", "writes": "cones", "levels": "base"}],
         "shape": "quad",
-        "promises": [{"promise": "order_1", "with": {"adaptive": false}, "halvings": "binary_steps"},
+        "promises": [{"promise": "order_1", "with": {"adaptive": false}, "halvings": "binary_steps",
+                      "within": 0.5},
                      {"promise": "first_hit", "with": {"leaf": "exact", "bias": 0}}]
     })",
                       "test");
@@ -89,6 +90,8 @@ TEST(Manifest, IsReadInFull) {
     ASSERT_EQ(manifest.promises.size(), 2U);
     EXPECT_EQ(manifest.promises[0].promise, Promise::order_1);
     EXPECT_EQ(manifest.promises[0].halvings, "binary_steps");
+    EXPECT_EQ(manifest.promises[0].within, 0.5);
+    EXPECT_EQ(manifest.promises[1].within, 1) << "a whole step where nothing is said";
     EXPECT_EQ(manifest.promises[1].with.at("bias"), ParameterValue(0.0));
     EXPECT_EQ(manifest.defaults().at("leaf"), ParameterValue(std::string("exact")));
 }
@@ -237,6 +240,9 @@ TEST(Manifest, WhatIsWrongIsNamedWithItsPlace) {
         {"/promises/1/with/bias", "2", "$.promises[1].with.bias: bias cannot be 2"},
         {"/promises/0/halvings", "\"adaptive\"", "$.promises[0].halvings: the parameter 'adaptive' must be of type"},
         {"/promises/1/halvings", "\"binary_steps\"", "$.promises[1].halvings: it belongs to the promise order_1 only"},
+        {"/promises/1/within", "0.5", "$.promises[1].within: it belongs to the promise order_1 only"},
+        {"/promises/0/within", "0", "$.promises[0].within: no error is within no part of a step"},
+        {"/promises/0/within", "1.5", "$.promises[0].within: expected a number from 0 to 1"},
     };
     for (const Broken& broken : cases) {
         EXPECT_THAT(message_of(with(broken.pointer, parse_json(broken.value, "test"))), HasSubstr(broken.message))

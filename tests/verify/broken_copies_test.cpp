@@ -50,6 +50,12 @@ TEST_F(BrokenCopies, Order1FindsAMissingHalving) {
                           Promise::order_1);
 }
 
+TEST_F(BrokenCopies, Order1FindsTheEndOfTheLastIntervalInPlaceOfItsMiddle) {
+    expect_broken_promise(
+        BrokenCopy("relief", "refinement.glsl", "0.5 * (s_above + s_below);\n#endif", "s_below;\n#endif"),
+        Promise::order_1);
+}
+
 TEST_F(BrokenCopies, Order1FindsAMapShiftedByHalfATexel) {
     expect_broken_promise(
         BrokenCopy("steep", "march.glsl", ": tap_height(uv)", ": tap_height(uv + 0.5 / vec2(height_map_size()))"),

@@ -31,7 +31,8 @@ ParameterValues with(ParameterValues values, const ParameterValues& more) {
     return values;
 }
 
-const ParameterValues ten_to_fifty_one{{"min_steps", std::int64_t{10}}, {"max_steps", std::int64_t{51}}};
+const ParameterValues ten_to_fifty_one{
+    {"min_steps", std::int64_t{10}}, {"max_steps", std::int64_t{51}}, {"step_rounding", std::string("integer")}};
 
 /// The largest difference of two vertical neighbours' errors, in texels: a band's edge.
 double largest_jump(const Image<float>& errors) {
@@ -62,6 +63,29 @@ TEST_F(MarchParameters, EveryRefinementIsOneOfEveryMarch) {
         values["refinement"] = std::string("none");
         EXPECT_NE(own.probe.hits.texels, compare(technique, values, rock, view).probe.hits.texels) << technique;
     }
+}
+
+/// Two finer steps in place of one are a halving, and their answer is the first beneath.
+TEST_F(MarchParameters, ContactRefinementByTwoIsTheBinarySearch) {
+    const CoordinateScene rock(device(), procedural("rock", {96, 64}));
+    const View view = perspective_view(60, -70);
+    const ParameterValues twos{
+        {"refinement_steps", std::int64_t{2}}, {"refinements", std::int64_t{6}}, {"min_steps", std::int64_t{10}}};
+    EXPECT_EQ(compare("contact_refinement", twos, rock, view).probe.hits.texels,
+              compare("relief", {{"binary_answer", std::string("beneath")}}, rock, view).probe.hits.texels);
+}
+
+/// The same taps, half the error: on a smooth map, where every ray finds its layer.
+TEST_F(MarchParameters, TheMiddleOfTheLastIntervalHalvesTheError) {
+    const CoordinateScene waves(device(), procedural("waves", {256, 256}));
+    View view = repeating(parallel_view(60, -67));
+    view.relief.height_scale = 0.02;
+    const auto largest = [&](const std::string& answer) {
+        return compare("relief", {{"binary_steps", std::int64_t{2}}, {"binary_answer", answer}}, waves, view)
+            .errors.uv_texels->max;
+    };
+    EXPECT_NEAR(largest("middle"), 0.5 * largest("beneath"), 0.02 * largest("beneath"));
+    EXPECT_NEAR(largest("middle"), 0.5 * largest("above"), 0.02 * largest("beneath"));
 }
 
 TEST_F(MarchParameters, LayersFollowTheAngle) {

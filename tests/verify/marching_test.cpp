@@ -81,11 +81,15 @@ TEST_F(ConstantMap, SteepIsTheNextLayerBeneath) {
     expect_offset("steep", fixed_steps(16), 1 - 10.0 / 16, float_tolerance, on_ray(10.0 / 16));
 }
 
-TEST_F(ConstantMap, ReliefHalvesTheLayer) {
-    // 9.6 layers down: 9.625 is the first eighth of a layer beneath.
-    ParameterValues parameters = fixed_steps(16);
-    parameters["binary_steps"] = std::int64_t{3};
-    expect_offset("relief", parameters, 1 - 9.625 / 16, float_tolerance, on_ray(9.625 / 16));
+TEST_F(ConstantMap, ReliefHalvesTheLayerAndAnswersItsMiddle) {
+    // 9.6 layers down: three halvings leave 9.5 to 9.625.
+    for (const auto& [answer, layers] :
+         {std::pair{"", 9.5625}, {"middle", 9.5625}, {"above", 9.5}, {"beneath", 9.625}}) {
+        ParameterValues parameters = fixed_steps(16);
+        parameters["binary_steps"] = std::int64_t{3};
+        if (*answer != '\0') parameters["binary_answer"] = std::string(answer);
+        expect_offset("relief", parameters, 1 - layers / 16, float_tolerance, on_ray(layers / 16));
+    }
 }
 
 TEST_F(ConstantMap, PomIsExact) {

@@ -50,6 +50,7 @@ TEST(Promises, ShippedTechniquesMakeThese) {
         {"relaxed_cone", {}},
         {"robust_cone",
          {{"conservative", "", ""},
+          {"conservative", "binary_answer=above binary_steps=0", ""},
           {"conservative", "minimum_step=false refinement=none", ""},
           {"conservative", "preparation=falling_edges", ""}}},
         {"tessellation", {}},

@@ -112,9 +112,19 @@ double cosine(double angle) {
     return std::cos(angle * std::numbers::pi / 180);
 }
 
-/// lerp(max, min, N·V), cut off; where it is whole the last digit of a float decides.
-double published_count(double most, double least, double angle) {
-    return std::floor(std::lerp(most, least, cosine(angle)) + 1e-6);
+/// lerp(max, min, N·V)
+double layers_by_angle(double most, double least, double angle) {
+    return std::lerp(most, least, cosine(angle));
+}
+
+/// Cut off; where it is whole the last digit of a float decides.
+double luna_count(double most, double least, double angle) {
+    return std::floor(layers_by_angle(most, least, angle) + 1e-6);
+}
+
+/// Not cut off: so many steps until a layer lies at the floor or beneath it.
+double dykhta_count(double most, double least, double angle) {
+    return std::ceil(layers_by_angle(most, least, angle) - 1e-6);
 }
 
 /// As a file of 8 bits a channel, from the bottom row up.
@@ -143,7 +153,7 @@ TEST_F(SourceDocuments, LunaSampleCountIsTheLerpOfMaximumAndMinimumByNDotV) {
     const ParameterValues counts{{"min_steps", std::int64_t{10}}, {"max_steps", std::int64_t{51}}};
     for (const double angle : {0.0, 25.0, 50.0, 65.0, 80.0}) {
         const PixelWork work = work_through("pom", counts, angle);
-        EXPECT_EQ(work.steps, published_count(51, 10, angle)) << angle;
+        EXPECT_EQ(work.steps, luna_count(51, 10, angle)) << angle;
         EXPECT_EQ(work.taps, work.steps + 1) << "the entry's tap counts too";
     }
 }
@@ -155,8 +165,11 @@ TEST_F(SourceDocuments, LunaRaysLeaveTheReliefAtTheMaximumOffset) {
     view.relief.tiling = 5;
     const glm::dvec3 to_eye = -pixel_ray(view.camera, view.resolution, 0, 0).direction;
     const glm::dvec2 u_max = -view.relief.height_scale * 5.0 / 1.0 * glm::dvec2(to_eye) / to_eye.z;
-    for (const std::string technique : {"steep", "pom", "relief"}) {
-        for (const glm::dvec2 offset : offsets(compare(technique, {}, floor, view), view)) {
+    // The lower end of the last interval, which is the floor; the middle lies above it.
+    const std::vector<std::pair<std::string, ParameterValues>> techniques{
+        {"steep", {}}, {"pom", {}}, {"relief", {{"binary_answer", std::string("beneath")}}}};
+    for (const auto& [technique, values] : techniques) {
+        for (const glm::dvec2 offset : offsets(compare(technique, values, floor, view), view)) {
             ASSERT_NEAR(offset.x, u_max.x, 1e-5) << technique;
             ASSERT_NEAR(offset.y, u_max.y, 1e-5) << technique;
         }
@@ -248,7 +261,7 @@ TEST_F(SourceDocuments, DykhtaOffsetLimitingDoesNotDivideByVz) {
 
 TEST_F(SourceDocuments, DykhtaSteepTakesFiveToFifteenLayersByTheViewAngle) {
     for (const double angle : {0.0, 30.0, 60.0, 75.0, 85.0})
-        EXPECT_EQ(work_through("steep", {}, angle).steps, published_count(15, 5, angle)) << angle;
+        EXPECT_EQ(work_through("steep", {}, angle).steps, dykhta_count(15, 5, angle)) << angle;
 }
 
 /// 10 to 15 layers and 5 halvings.
@@ -258,12 +271,12 @@ TEST_F(SourceDocuments, DykhtaReliefHalvesOneOfTenToFifteenLayersFiveTimes) {
                                     {"adaptive", true},
                                     {"binary_steps", std::int64_t{5}}};
     for (const double angle : {0.0, 30.0, 60.0, 75.0, 85.0})
-        EXPECT_EQ(work_through("relief", published, angle).steps, published_count(15, 10, angle) + 5) << angle;
-    // On ground at 0.4 the last of the 2⁵ parts of the layer that is not above it.
+        EXPECT_EQ(work_through("relief", published, angle).steps, dykhta_count(15, 10, angle) + 5) << angle;
+    // On ground at 0.4 the middle of that of the 2⁵ parts of a layer in which it lies.
     const CoordinateScene ground(device(), map_of({16, 16}, [](int, int) { return 0.4; }));
-    const double parts = published_count(15, 10, 60) * 32;
-    for (const float h : heights_of(compare("relief", published, ground, repeating(parallel_view(60))).probe))
-        ASSERT_NEAR(1 - h, std::ceil(0.6 * parts) / parts, 1e-6);
+    const double parts = layers_by_angle(15, 10, 45) * 32;
+    for (const float h : heights_of(compare("relief", published, ground, repeating(parallel_view(45))).probe))
+        ASSERT_NEAR(1 - h, (std::ceil(0.6 * parts) - 0.5) / parts, 1e-6);
 }
 
 /// White = deep: an inverted map is the relief of the map turned over.
