@@ -1,6 +1,6 @@
 // Proves cone maps on the processor and measures how often techniques that step along cones pass the surface: the
-// tables of the techniques' READMEs. Usage: cone_proof [FILE...]: height maps beside the procedural ones, reduced to
-// 128x128.
+// tables of the techniques' READMEs. Usage: cone_proof [--rays] [FILE...]: height maps beside the procedural ones,
+// reduced to 128x128; --rays leaves the proof out.
 
 #include "verify/circumstance.hpp"
 #include "verify/promise_checks.hpp"
@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
 #include <numeric>
 #include <string>
@@ -85,6 +86,9 @@ void prove(const HeightMap& map) {
         print_proof(map.name, cones, ratios, prove_relaxed(map, ratios, relaxed_places));
     };
     conservative_line("conservative", conservative);
+    print_proof(map.name, "conservative, square roots", conservative,
+                prove_conservative(map, stored(square_roots(conservative_ratios(map))), conservative_places,
+                                   ConeEncoding::square_root));
     conservative_line("conservative, 3x3 minimum", narrowest_around(conservative));
     relaxed_line("relaxed, published", published);
     relaxed_line("relaxed, falling edges", falling);
@@ -100,26 +104,35 @@ std::vector<Variant> variants() {
     using namespace std::string_literals;
     return {
         {"cone_step", {}},
+        {"cone_step", {{"cone_encoding", "linear"s}}},
+        {"cone_step", {{"step_rule", "larger"s}}},
+        {"cone_step", {{"step_rule", "larger"s}, {"cone_encoding", "linear"s}}},
         {"cone_step", {{"minimum_step", 0.0}}},
+        {"cone_step", {{"minimum_step", 0.0}, {"cone_encoding", "linear"s}}},
         {"cone_step", {{"refinement", "linear"s}}},
         {"quad_cone", {}},
+        {"quad_cone", {{"step_rule", "larger"s}}},
         {"quad_cone", {{"minimum_step", 0.0}}},
+        {"quad_cone", {{"minimum_step", 0.0}, {"max_steps", std::int64_t{15}}}},
         {"relaxed_cone", {}},
         {"relaxed_cone", {{"preparation", "falling_edges"s}}},
         {"relaxed_cone", {{"max_steps", std::int64_t{256}}}},
         {"robust_cone", {{"preparation", "pruned"s}, {"minimum_step", false}, {"refinement", "none"s}}},
         {"robust_cone", {{"preparation", "pruned"s}, {"refinement", "none"s}}},
-        {"robust_cone", {{"preparation", "pruned"s}}},
-        {"robust_cone", {}},
+        {"robust_cone", {{"bump_check", false}}},
+        {"robust_cone", {{"bump_check", true}}},
     };
 }
 
+/// Along texel rows, where the bilinear surface is a chain of straight lines, and off the axes.
+constexpr std::array<double, 3> azimuths{-90, -67, -45};
+
 /// Parallel rays at 75 degrees over a relief that goes on for ever.
-View steep_view() {
+View steep_view(double azimuth) {
     View view;
     view.camera.projection = Projection::parallel;
     view.camera.view_angle = 75;
-    view.camera.azimuth = -67;
+    view.camera.azimuth = azimuth;
     view.relief.height_scale = 0.1;
     view.relief.boundary = Boundary::repeat;
     view.resolution = {192, 192};
@@ -131,20 +144,24 @@ void overshoot(const gpu::Device& device, const TechniqueLibrary& library, const
     for (const Variant& variant : variants()) {
         const Technique& technique = library.get(variant.technique);
         const ParameterValues values = with_values(technique.manifest, variant.parameters);
-        const Comparison found =
-            compare_with_truth(device, technique, values, scene, steep_view(), {.cache = map_cache_folder()});
-        const auto footprint = static_cast<double>(found.errors.footprint);
-        double unconverged = 0;
-        double steps = 0;
-        for (const PixelWork& work : found.probe.work.texels) {
-            unconverged += work.unconverged;
-            steps += work.steps;
+        for (const double azimuth : azimuths) {
+            const View view = steep_view(azimuth);
+            const Comparison found =
+                compare_with_truth(device, technique, values, scene, view, {.cache = map_cache_folder()});
+            const auto footprint = static_cast<double>(found.errors.footprint);
+            double unconverged = 0;
+            double taps = 0;
+            for (const PixelWork& work : found.probe.work.texels) {
+                unconverged += work.unconverged;
+                taps += work.taps;
+            }
+            fmt::print("| {} | {} | {} | {} | {:.3f} % | {:.3f} % | {:.2f} % | {:.1f} | {:.3g} |\n", scene.map.name,
+                       variant.technique, describe(values, technique.manifest), azimuth,
+                       100 * static_cast<double>(pixels_beyond(found, scene.map, view, deviation)) / footprint,
+                       100 * found.errors.missed, 100 * unconverged / footprint, taps / footprint,
+                       found.errors.uv_texels->p99);
+            std::fflush(stdout);
         }
-        fmt::print("| {} | {} | {} | {:.3f} % | {:.2f} % | {:.1f} | {:.3g} |\n", scene.map.name, variant.technique,
-                   describe(values, technique.manifest),
-                   100 * static_cast<double>(pixels_beyond(found, scene.map, steep_view(), deviation)) / footprint,
-                   100 * unconverged / footprint, steps / footprint, found.errors.uv_texels->p99);
-        std::fflush(stdout);
     }
 }
 
@@ -152,15 +169,19 @@ void overshoot(const gpu::Device& device, const TechniqueLibrary& library, const
 
 int main(int argc, char** argv) {
     try {
-        const std::vector<HeightMap> maps = height_maps({argv + 1, argv + argc});
-        fmt::print("| Map | Cones | Mean ratio | Places that fail | Deepest, texels |\n|---|---|---|---|---|\n");
-        for (const HeightMap& map : maps)
-            prove(map);
+        std::vector<std::string> files(argv + 1, argv + argc);
+        const bool rays_only = std::erase(files, "--rays") > 0;
+        const std::vector<HeightMap> maps = height_maps(files);
+        if (!rays_only) {
+            fmt::print("| Map | Cones | Mean ratio | Places that fail | Deepest, texels |\n|---|---|---|---|---|\n");
+            for (const HeightMap& map : maps)
+                prove(map);
+        }
         const gpu::Device device;
         const TechniqueLibrary library = find_techniques({default_technique_root()});
         fmt::print(
-            "\nOn {}:\n\n| Map | Technique | Parameters | Beyond the first hit | Unconverged | Steps | p99, texels |\n"
-            "|---|---|---|---|---|---|---|\n",
+            "\nOn {}:\n\n| Map | Technique | Parameters | Azimuth | Beyond the first hit | Missed | Unconverged | Taps "
+            "| p99, texels |\n|---|---|---|---|---|---|---|---|---|\n",
             device.info().name);
         for (const HeightMap& map : maps)
             overshoot(device, library, CoordinateScene(device, map));

@@ -26,10 +26,20 @@ struct ConeSearch {
     // Where it holds none, because the search ended above the surface, both ends are the last point known to lie there.
     Crossing crossing;
     bool converged;
+    // Where the last step left its cone, `added` short of where it went; the last point where that lies above the surface.
+    float cone_end;
 };
 
-// Whether the ray, with gaps above the surface at both ends of a way within one bilinear cell, is beneath it in between;
-// then `s_lowest` is where it is deepest. Along the way the gap is a parabola, which one more point tells.
+// Whether the ray, with gaps above the surface at both ends of a way within one bilinear cell, can be beneath it in
+// between: the surface rises above the straight line between its ends by at most half the product of the way's lengths
+// along both axes of the texture, in texels.
+bool may_pass_bump(ReliefRay ray, float s, float gap, float s_end, float gap_end) {
+    vec2 way = (s_end - s) * ray.max_offset * vec2(height_map_size());
+    float reach = sqrt(gap) + sqrt(gap_end);
+    return reach * reach < 2.0 * abs(way.x * way.y);
+}
+
+// Whether it is; then `s_lowest` is where it is deepest. Along the way the gap is a parabola, which one more point tells.
 bool passes_bump(ReliefRay ray, float s, float gap, float s_end, float gap_end, out float s_lowest) {
     float middle = 0.5 * (s + s_end);
     float gap_middle = (1.0 - middle) - tap_along(ray, middle);
@@ -41,35 +51,54 @@ bool passes_bump(ReliefRay ray, float s, float gap, float s_end, float gap_end, 
     return t > 0.0 && t < 1.0 && gap + 0.5 * b * t < 0.0;
 }
 
-ConeSearch search_cones(ReliefRay ray, int most_steps) {
+// Of the ray: height and cone ratio under it, and how far it lies above the surface.
+struct ConePoint {
+    float s;
+    vec2 cone;
+    float gap;
+};
+
+ConePoint tap_point(ReliefRay ray, float s) {
+    vec2 cone = tap_cone(ray, s);
+    return ConePoint(s, cone, (1.0 - s) - cone.x);
+}
+
+// Each step goes to the end of its cone, or the least step where that is longer, and `added` further, in s.
+ConeSearch search_cones(ReliefRay ray, int most_steps, float added) {
     float speed = length(ray.max_offset);
-    vec2 cone = tap_cone(ray, 0.0);
-    Crossing crossing = Crossing(0.0, cone.x, 0.0, cone.x, 0);
-    float s = 0.0;
+    ConePoint start = tap_point(ray, 0.0);
+    ConePoint end = start;
+    float cone_end = 0.0;
+    int steps = 0;
     while (true) {
-        float gap = (1.0 - s) - cone.x;
-        crossing.s_below = s;
-        crossing.h_below = cone.x;
-        if (gap <= 0.0) return ConeSearch(crossing, true);
-        crossing.s_above = s;
-        crossing.h_above = cone.x;
-        if (gap <= contact) return ConeSearch(crossing, true);
-        if (crossing.steps == most_steps) return ConeSearch(crossing, false);
-        crossing.steps += 1;
-        float along_cone = gap * cone.y / (cone.y + speed);
-        float least = least_step(ray, s);
-        s = min(s + max(along_cone, least), far_end);
-        cone = tap_cone(ray, s);
-        float gap_end = (1.0 - s) - cone.x;
-        if (looks_for_bumps() && least > along_cone && gap_end > 0.0) {
-            float s_lowest;
-            if (passes_bump(ray, crossing.s_above, gap, s, gap_end, s_lowest)) {
-                s = s_lowest;
-                cone = tap_cone(ray, s);
-            }
+        // A step that may have passed a bump is looked at outside of the steps' own loop, so that a processor that runs
+        // pixels side by side does it for all of them at once.
+        bool may_have_passed = false;
+        while (end.gap > contact && steps < most_steps && !may_have_passed) {
+            start = end;
+            steps += 1;
+            float along_cone = start.gap * start.cone.y / (start.cone.y + speed);
+            float least = least_step(ray, start.s);
+            cone_end = min(start.s + max(along_cone, least), far_end);
+            end = tap_point(ray, min(cone_end + added, far_end));
+            may_have_passed = looks_for_bumps() && least > along_cone && end.gap > 0.0 &&
+                              may_pass_bump(ray, start.s, start.gap, end.s, end.gap);
+        }
+        if (!may_have_passed) break;
+        float s_lowest;
+        if (passes_bump(ray, start.s, start.gap, end.s, end.gap, s_lowest)) {
+            end = tap_point(ray, s_lowest);
+            cone_end = s_lowest;
         }
     }
+    if (end.gap > 0.0) {
+        start = end;
+        cone_end = end.s;
+    }
+    return ConeSearch(Crossing(start.s, start.cone.x, end.s, end.cone.x, steps), end.gap <= contact, cone_end);
 }
+
+ConeSearch search_cones(ReliefRay ray, int most_steps) { return search_cones(ray, most_steps, 0.0); }
 
 // The ray parameter of a way of so many texels along the ray, up and down included.
 float texels_along(ReliefRay ray, float texels) {

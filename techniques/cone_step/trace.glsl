@@ -1,11 +1,8 @@
-#include "cone_refinement.glsl"
+#include "texel_steps.glsl"
 
-vec2 tap_cone(ReliefRay ray, float s) { return tap_map(cones, point_on_ray(ray, s), 0.0).rg; }
-
-float least_step(ReliefRay ray, float s) { return texels_along(ray, minimum_step); }
-
-bool looks_for_bumps() { return false; }
-
-Trace trace(ReliefRay ray) {
-    return refine(ray, search_cones(ray, max_steps));
+vec2 tap_cone(ReliefRay ray, float s) {
+    vec2 cone = tap_map(cones, point_on_ray(ray, s), 0.0).rg;
+    return cone_encoding == cone_encoding_square_root ? vec2(cone.x, cone.y * cone.y) : cone;
 }
+
+Trace trace(ReliefRay ray) { return trace_by_texels(ray); }

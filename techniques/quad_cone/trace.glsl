@@ -1,4 +1,4 @@
-#include "cone_refinement.glsl"
+#include "texel_steps.glsl"
 
 // The cone about the axis of the texture that the ray mostly goes along.
 vec2 tap_cone(ReliefRay ray, float s) {
@@ -10,10 +10,4 @@ vec2 tap_cone(ReliefRay ray, float s) {
     return vec2(tap_height(uv), way >= 0.0 ? pair.x : pair.y);
 }
 
-float least_step(ReliefRay ray, float s) { return texels_along(ray, minimum_step); }
-
-bool looks_for_bumps() { return false; }
-
-Trace trace(ReliefRay ray) {
-    return refine(ray, search_cones(ray, max_steps));
-}
+Trace trace(ReliefRay ray) { return trace_by_texels(ray); }

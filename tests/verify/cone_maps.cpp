@@ -200,12 +200,20 @@ Ratios stored(const Ratios& ratios) {
     return result;
 }
 
-ConeProof prove_conservative(const HeightMap& map, const Ratios& ratios, std::size_t places) {
+Ratios square_roots(const Ratios& ratios) {
+    Ratios result = ratios;
+    for (double& ratio : result.texels)
+        ratio = std::sqrt(ratio);
+    return result;
+}
+
+ConeProof prove_conservative(const HeightMap& map, const Ratios& encoded, std::size_t places, ConeEncoding encoding) {
     constexpr int samples_per_texel = 4;
     const glm::dvec2 texel{1.0 / map.width(), 1.0 / map.height()};
     const double texels = 1 / std::min(texel.x, texel.y);
     return prove(places_of(map, 2, places), [&](glm::dvec2 place) {
-        const double ratio = interpolated(map, ratios, place);
+        const double between = interpolated(map, encoded, place);
+        const double ratio = encoding == ConeEncoding::square_root ? between * between : between;
         const double apex = map.sample(place.x, place.y);
         const double reach = ratio * (1 - apex);
         double deepest = 0;

@@ -31,6 +31,11 @@ Ratios narrowest_around(const Ratios& ratios);
 /// Rounded down to 16 bits.
 Ratios stored(const Ratios& ratios);
 
+/// What a map of cones holds and interpolates between texels: ratios, or their square roots.
+enum class ConeEncoding { linear, square_root };
+
+Ratios square_roots(const Ratios& ratios);
+
 /// A dense test of interpolated cones, at so many places all over the map, between texels too, against the bilinear
 /// surface.
 struct ConeProof {
@@ -44,7 +49,8 @@ struct ConeProof {
 };
 
 /// No point of the surface lies in a cone, by more than a hundredth of a texel.
-ConeProof prove_conservative(const HeightMap& map, const Ratios& ratios, std::size_t places);
+ConeProof prove_conservative(const HeightMap& map, const Ratios& encoded, std::size_t places,
+                             ConeEncoding encoding = ConeEncoding::linear);
 
 /// No ray from the axis above the apex to the cone's mantle comes out of the surface again: many directions, heights
 /// and slopes for each place.

@@ -31,6 +31,11 @@ double largest_difference(const Ratios& a, const Ratios& b) {
 
 class ConeMaps : public VerifyTest {
 protected:
+    /// Of cone_step: ratios as they are, not their square roots.
+    static ParameterValues linear(const std::string& preparation) {
+        return {{"preparation", preparation}, {"cone_encoding", "linear"}};
+    }
+
     /// One channel of the map that the technique makes on the device, told by a copy of it that shows each texel.
     static Ratios made_on_device(const std::string& technique, const ParameterValues& changed, const HeightMap& map,
                                  const std::string& channel = "g") {
@@ -64,8 +69,7 @@ TEST_F(ConeMaps, OfTheDeviceAreThoseOfTheProcessor) {
     const HeightMap map = procedural("rock", {256, 256});
     const Ratios conservative = stored(conservative_ratios(map));
     const Ratios falling_edges = stored(falling_edge_ratios(map));
-    EXPECT_LE(largest_difference(made_on_device("cone_step", {{"preparation", "pruned"}}, map), conservative),
-              stored_step);
+    EXPECT_LE(largest_difference(made_on_device("cone_step", linear("pruned"), map), conservative), stored_step);
     EXPECT_LE(
         largest_difference(made_on_device("relaxed_cone", {{"preparation", "falling_edges"}}, map), falling_edges),
         stored_step);
@@ -79,10 +83,9 @@ TEST_F(ConeMaps, AllThreeSearchesForConservativeConesAgree) {
     for (const Resolution size : {Resolution{256, 64}, Resolution{50, 84}}) {
         const HeightMap map = procedural("bricks", size);
         const Ratios exact = stored(conservative_ratios(map));
-        EXPECT_LE(largest_difference(made_on_device("cone_step", {{"preparation", "exact"}}, map), exact), stored_step);
-        EXPECT_LE(largest_difference(made_on_device("cone_step", {{"preparation", "pruned"}}, map), exact),
-                  stored_step);
-        const Ratios quick = made_on_device("cone_step", {{"preparation", "quick"}}, map);
+        EXPECT_LE(largest_difference(made_on_device("cone_step", linear("exact"), map), exact), stored_step);
+        EXPECT_LE(largest_difference(made_on_device("cone_step", linear("pruned"), map), exact), stored_step);
+        const Ratios quick = made_on_device("cone_step", linear("quick"), map);
         for (std::size_t i = 0; i < quick.texels.size(); ++i)
             ASSERT_LE(quick.texels[i], exact.texels[i] + stored_step) << "texel " << i << " of " << size.width;
         EXPECT_GT(mean(quick), 0.8 * mean(exact)) << size.width;
@@ -93,7 +96,7 @@ TEST_F(ConeMaps, QuickConesAreConservativeAndNearlyAsWide) {
     for (const std::string name : {"rock", "cobbles", "spikes"}) {
         const HeightMap map = procedural(name, {256, 256});
         const Ratios exact = stored(conservative_ratios(map));
-        const Ratios quick = made_on_device("cone_step", {{"preparation", "quick"}}, map);
+        const Ratios quick = made_on_device("cone_step", linear("quick"), map);
         for (std::size_t i = 0; i < quick.texels.size(); ++i)
             ASSERT_LE(quick.texels[i], exact.texels[i] + stored_step) << name << ", texel " << i;
         EXPECT_GT(mean(quick), 0.8 * mean(exact)) << name;
@@ -227,6 +230,23 @@ TEST_F(RobustCone, NeverGoesBeyondTheFirstHitAtAnyStepCount) {
                 << procedural_map.name << ' ' << steps;
         }
     }
+}
+
+/// Without halvings the step to the cell's wall is left, at most a cell long: its upper end lies before the surface,
+/// its middle not always.
+TEST_F(RobustCone, KeepsTheEndAboveTheSurfaceWhereAskedTo) {
+    const Technique technique = shipped("robust_cone");
+    const CoordinateScene scene(device(), procedural("rock", {128, 128}));
+    View view = parallel_view(75, -67);
+    view.relief.boundary = Boundary::repeat;
+    const auto answering = [&](const std::string& answer) {
+        return beyond(technique,
+                      with_values(technique.manifest, {{"binary_steps", std::int64_t{0}}, {"binary_answer", answer}}),
+                      scene, view, {});
+    };
+    EXPECT_LE(answering("above"), 0.001);
+    EXPECT_GT(answering("middle"), 0.01);
+    EXPECT_GT(answering("beneath"), answering("middle"));
 }
 
 TEST_F(RobustCone, PassesBumpsWithinACellWhereItDoesNotLookForThem) {
