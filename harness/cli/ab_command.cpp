@@ -3,6 +3,7 @@
 #include "cli/device_lock.hpp"
 #include "cli/duration.hpp"
 #include "cli/progress_printer.hpp"
+#include "cli/quality_choice.hpp"
 #include "cli/run_sources.hpp"
 #include "cli/shared_options.hpp"
 #include "cli/threshold.hpp"
@@ -45,6 +46,7 @@ struct AbOptions {
     TechniqueOptions library;
     DeviceChoice device;
     DeviceSharing sharing;
+    QualityChoice quality;
     ComparisonOutput output;
 };
 
@@ -116,6 +118,7 @@ ExitCode compare_live(const AbOptions& options) {
     settings.map_cache = map_cache_folder();
     settings.budget_s = parse_duration(options.budget, "--budget");
     options.output.check();
+    const std::vector<DecidingFigure> deciding = options.quality.deciding_figures();
     const RunSources sources = read_run_sources(options.configuration, options.axes, options.filters, options.library);
     settings.seed = sources.configuration.seed;
     const ScratchFolder scratch;
@@ -141,7 +144,7 @@ ExitCode compare_live(const AbOptions& options) {
                                     .on_progress = [&printer](const Progress& progress) { printer(progress); },
                                     .on_visit = keep_visits(evidence)});
     }
-    Comparison comparison = compare_variants(outcome, threshold);
+    Comparison comparison = compare_variants(outcome, threshold, deciding);
     comparison.notices = notices_on(base, sources.library, outcome, baseline);
     if (const std::string shared = describe(device_share(record), "the times"); !shared.empty())
         comparison.notices.push_back(shared);
@@ -192,10 +195,12 @@ void add_ab_command(CLI::App& app, ChosenCommand& chosen) {
     options->library.add_to(*command);
     options->device.add_to(*command);
     options->sharing.add_to(*command);
+    options->quality.add_to(*command);
     options->output.add_to(*command);
     command->footer(
         "The comparison goes to standard output, progress to standard error. Exit codes: 0 nothing slower or worse;\n"
-        "1 a cell slower, or its quality worse; 3 some undecided; 4 a cell failed that the baseline could draw.\n"
+        "1 a cell slower, or its quality worse or mixed (--accept-mixed lets that pass); 3 some undecided; 4 a cell "
+        "failed that the baseline could draw.\n"
         "Example: reliefbench ab configs/quick.json --baseline HEAD~1 --filter technique=pom --budget 2m\n");
     command->callback([&chosen, options] { chosen = [options] { return compare_live(*options); }; });
 }

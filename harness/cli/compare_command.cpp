@@ -5,6 +5,7 @@
 #include "cli/run_sides.hpp"
 #include "cli/stored_runs.hpp"
 #include "compare/compare_runs.hpp"
+#include "compare/pair_runs.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -18,6 +19,7 @@ namespace {
 struct CompareCommandOptions {
     std::vector<std::string> folders;
     ComparisonChoice comparison;
+    bool quality_only = false;
     ComparisonOutput output;
 };
 
@@ -30,9 +32,11 @@ ExitCode compare(const CompareCommandOptions& options) {
     folders.insert(folders.end(), sides.changed.begin(), sides.changed.end());
     const std::vector<StoredRun> runs = read_stored_runs(folders);
     const std::span<const StoredRun> all(runs);
-    const Comparison comparison = compare_runs(all.first(sides.base.size()), all.subspan(sides.base.size()),
-                                               compare_options, find_recorded_noise);
-    return options.output.print(comparison);
+    const auto base = all.first(sides.base.size());
+    const auto changed = all.subspan(sides.base.size());
+    return options.output.print(options.quality_only
+                                    ? compare_quality_of_runs(base, changed, compare_options.deciding_figures)
+                                    : compare_runs(base, changed, compare_options, find_recorded_noise));
 }
 
 }  // namespace
@@ -45,10 +49,16 @@ void add_compare_command(CLI::App& app, ChosenCommand& chosen) {
         ->required()
         ->type_name("BASE... [--] NEW");
     options->comparison.add_to(*command);
+    command
+        ->add_flag("--quality", options->quality_only,
+                   "Compare quality alone, which needs one run a side and no times, on whatever devices")
+        ->excludes("--threshold");
     options->output.add_to(*command);
     command->footer(
-        "Exit code 0 when nothing is worse, 1 when a cell is slower or its quality worse, 3 when some are undecided or "
-        "none could be compared, 4 when a cell that was measured in the base failed now.\n"
+        "Exit code 0 when nothing is worse, 1 when a cell is slower or its quality worse or mixed (--accept-mixed lets "
+        "that pass), 3 when some are undecided or none could be compared, 4 when a cell that was measured in the base "
+        "failed now.\n"
+        "Example: reliefbench compare --quality results/before results/after\n"
         "Example: reliefbench compare results/before1 results/before2 -- results/after1 results/after2\n");
     command->callback([&chosen, options] { chosen = [options] { return compare(*options); }; });
 }

@@ -13,12 +13,14 @@ void ComparisonChoice::add_to(CLI::App& command) {
         ->type_name("FRACTION");
     command.add_flag("--across-devices", across_devices,
                      "Compare runs of different devices, whose times say nothing of a change in code");
+    quality.add_to(command);
 }
 
 CompareOptions ComparisonChoice::options() const {
     CompareOptions options;
     options.threshold = parse_threshold(threshold, "--threshold");
     options.across_devices = across_devices;
+    options.deciding_figures = quality.deciding_figures();
     return options;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli/quality_choice.hpp"
 #include "compare/compare_runs.hpp"
 
 #include <string>
@@ -15,9 +16,10 @@ namespace reliefbench {
 struct ComparisonChoice {
     std::string threshold = "2%";
     bool across_devices = false;
+    QualityChoice quality;
 
     void add_to(CLI::App& command);
-    /// A threshold that is none is an Error.
+    /// A threshold that is none is an Error, and so is what QualityChoice refuses.
     CompareOptions options() const;
 };
 

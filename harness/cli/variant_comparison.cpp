@@ -39,8 +39,10 @@ CellIsDecided decided_at_looks(double threshold, std::size_t cells) {
     };
 }
 
-Comparison compare_variants(const VariantOutcome& outcome, double threshold) {
+Comparison compare_variants(const VariantOutcome& outcome, double threshold,
+                            const std::vector<DecidingFigure>& deciding) {
     Comparison comparison;
+    comparison.deciding_figures = deciding;
     comparison.threshold = threshold;
     comparison.unit = "rounds";
     const std::vector<Verdict> verdicts =
@@ -53,7 +55,7 @@ Comparison compare_variants(const VariantOutcome& outcome, double threshold) {
         cell.cell = pair.changed.cell;
         cell.time = estimates[i];
         cell.verdict = verdicts[i];
-        cell.quality = compare_quality(pair.base, pair.changed, QualityTolerance{});
+        cell.quality = compare_quality(pair.base, pair.changed, deciding);
         cell.reason = describe(estimates[i], verdicts[i], comparison.unit);
         comparison.cells.push_back(std::move(cell));
     }

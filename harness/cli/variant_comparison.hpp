@@ -4,6 +4,7 @@
 #include "measure/variants.hpp"
 
 #include <cstddef>
+#include <vector>
 
 namespace reliefbench {
 
@@ -14,6 +15,7 @@ inline constexpr double live_false_discovery_rate = 0.05;
 CellIsDecided decided_at_looks(double threshold, std::size_t cells);
 
 /// Estimates, verdicts, changes of quality and reasons; notices and environment are left to the caller.
-Comparison compare_variants(const VariantOutcome& outcome, double threshold);
+Comparison compare_variants(const VariantOutcome& outcome, double threshold,
+                            const std::vector<DecidingFigure>& deciding = default_deciding_figures());
 
 }  // namespace reliefbench

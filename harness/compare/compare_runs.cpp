@@ -2,6 +2,7 @@
 
 #include "compare/between_runs.hpp"
 #include "compare/describe.hpp"
+#include "compare/pair_runs.hpp"
 #include "compare/run_differences.hpp"
 #include "compare/run_noise.hpp"
 #include "compare/run_side.hpp"
@@ -40,28 +41,6 @@ constexpr std::size_t fewest_own_degrees_of_freedom = 4;
 /// Chance alone makes identical code differ by less.
 constexpr double told_inflation = 1.5;
 
-/// Why the cell cannot be compared; empty when it can.
-std::optional<UncomparedCell> uncompared(const std::string& id, const SideCell* base, const SideCell* changed) {
-    if (changed == nullptr) return UncomparedCell{id, "only in the base"};
-    if (base == nullptr) return UncomparedCell{id, "only in the new runs"};
-    if (base->measured.empty() && changed->measured.empty()) {
-        return UncomparedCell{id, fmt::format("not measured on either side (base: {}; new: {})", unmeasured_text(*base),
-                                              unmeasured_text(*changed))};
-    }
-    if (base->measured.empty()) {
-        return UncomparedCell{id, fmt::format("measured now, but in the base {}", unmeasured_text(*base))};
-    }
-    if (changed->measured.empty()) {
-        const bool failed_now = changed->unmeasured->status == CellStatus::failed;
-        return UncomparedCell{id, fmt::format("measured in the base, but now {}", unmeasured_text(*changed)),
-                              failed_now};
-    }
-    const std::string difference =
-        subject_difference(*base->runs[0], *base->measured[0], *changed->runs[0], *changed->measured[0]);
-    if (!difference.empty()) return UncomparedCell{id, difference};
-    return std::nullopt;
-}
-
 struct NoiseSources {
     RunNoise of_runs;
     RunNoise of_machine;
@@ -89,29 +68,6 @@ RunNoise machine_noise(const StoredRun& base, const StoredRun& changed, const No
         known = true;
     }
     return noisiest;
-}
-
-QualityComparison compare_quality_of(const SideCell& base, const SideCell& changed, const QualityTolerance& tolerance) {
-    CellResult before = *base.measured[0];
-    CellResult after = *changed.measured[0];
-    const bool comparable_errors = same_truth(*base.runs[0], *changed.runs[0]);
-    if (!comparable_errors) before.error = after.error = std::nullopt;
-    if (!comparable_errors || !same_lighting(*base.runs[0], *changed.runs[0])) {
-        for (CellResult* side : {&before, &after}) {
-            side->image = std::nullopt;
-            if (!side->error) continue;
-            side->error->shadow = std::nullopt;
-            side->error->wrong_surface = std::nullopt;
-        }
-    }
-    if (!comparable_errors || !same_motion(*base.runs[0], *changed.runs[0])) {
-        before.motion = after.motion = std::nullopt;
-    } else if (!same_lighting(*base.runs[0], *changed.runs[0])) {
-        for (CellResult* side : {&before, &after}) {
-            if (side->motion) side->motion->flip = std::nullopt;
-        }
-    }
-    return compare_quality(before, after, tolerance);
 }
 
 /// Cells of techniques whose folders did not change are told apart: when they move, something else did.
@@ -163,19 +119,6 @@ std::optional<std::string> notice_of_preparation(const Comparison& comparison, c
     return fmt::format("preparing the maps of all cells together is {}", describe(estimate, verdict, "runs"));
 }
 
-Json side_record(std::span<const StoredRun> runs) {
-    const Json& run = runs.front().run.run;
-    Json json;
-    json["runs"] = Json::array();
-    for (const StoredRun& stored : runs) {
-        json["runs"].push_back(stored.name);
-    }
-    for (const char* part : {"device", "environment"}) {
-        json[part] = run.contains(part) ? run.at(part) : Json(nullptr);
-    }
-    return json;
-}
-
 Json noise_record(const RunNoise& noise, double inflation) {
     Json json;
     json["log_sd"] = noise.log_sd;
@@ -183,32 +126,6 @@ Json noise_record(const RunNoise& noise, double inflation) {
     json["inflation"] = inflation;
     json["source"] = noise.source;
     return json;
-}
-
-/// The cells that can be compared, without times yet; tells why of the others.
-Comparison pair_cells(const RunSide& base, const RunSide& changed, const QualityTolerance& tolerance) {
-    Comparison comparison;
-    const auto find = [](const RunSide& side, const std::string& id) {
-        const auto found = side.cells.find(id);
-        return found == side.cells.end() ? nullptr : &found->second;
-    };
-    std::vector<std::string> order = base.order;
-    for (const std::string& id : changed.order) {
-        if (!base.cells.contains(id)) order.push_back(id);
-    }
-    for (const std::string& id : order) {
-        const SideCell* before = find(base, id);
-        const SideCell* after = find(changed, id);
-        if (auto reason = uncompared(id, before, after)) {
-            comparison.uncompared.push_back(std::move(*reason));
-            continue;
-        }
-        CellComparison cell;
-        cell.cell = id;
-        cell.quality = compare_quality_of(*before, *after, tolerance);
-        comparison.cells.push_back(std::move(cell));
-    }
-    return comparison;
 }
 
 /// The machine's state moves what no change of code does: by how much the noise has to be widened for it.
@@ -269,29 +186,14 @@ Comparison compare_runs(std::span<const StoredRun> base_runs, std::span<const St
             "them all the same",
             device);
     }
-    Comparison comparison = pair_cells(base, changed, options.quality);
+    Comparison comparison = pair_runs(base, changed, options.deciding_figures);
     comparison.threshold = options.threshold;
-    if (!device.empty()) comparison.notices.push_back("the devices differ: " + device);
-    for (std::string& difference : run_differences(base_runs.front(), new_runs.front())) {
-        comparison.notices.push_back(std::move(difference));
-    }
-    for (const auto& [runs, side] : {std::pair(base_runs, "base"), std::pair(new_runs, "new")}) {
-        if (from_changed_tree(runs.front())) {
-            comparison.notices.push_back(
-                fmt::format("{} was made from a work tree with changes not committed", runs.front().name));
-        }
+    for (const auto& runs : {base_runs, new_runs}) {
         for (const StoredRun& run : runs) {
             const std::string shared = describe(device_share(run.run.run), "the times of " + run.name);
             if (!shared.empty()) comparison.notices.push_back(shared);
         }
-        for (const StoredRun& run : runs.subspan(1)) {
-            const std::vector<std::string> differences = run_differences(runs.front(), run);
-            if (differences.empty()) continue;
-            comparison.notices.push_back(fmt::format("the {} runs differ among themselves: between {} and {}, {}", side,
-                                                     runs.front().name, run.name, differences.front()));
-        }
     }
-
     std::vector<CellMedians> medians;
     for (const CellComparison& cell : comparison.cells) {
         medians.push_back(times_of(base.cells.at(cell.cell), changed.cells.at(cell.cell)));
@@ -320,8 +222,6 @@ Comparison compare_runs(std::span<const StoredRun> base_runs, std::span<const St
     if (auto notice = notice_of_common_shift(comparison, base, changed)) {
         comparison.notices.insert(comparison.notices.begin(), std::move(*notice));
     }
-    comparison.environment["base"] = side_record(base_runs);
-    comparison.environment["new"] = side_record(new_runs);
     comparison.environment["noise"] = noise_record(own ? noise.of_runs : noise.of_machine, inflation);
     return comparison;
 }

@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace reliefbench {
 
@@ -15,7 +16,7 @@ struct CompareOptions {
     double threshold = 0.02;
     /// Of the verdicts slower and faster, the share that may be wrong (Benjamini & Hochberg over all cells).
     double false_discovery_rate = 0.01;
-    QualityTolerance quality;
+    std::vector<DecidingFigure> deciding_figures = default_deciding_figures();
     /// Compare runs of different devices all the same.
     bool across_devices = false;
 };

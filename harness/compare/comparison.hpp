@@ -37,6 +37,12 @@ struct Comparison {
     double threshold = 0.02;
     /// What the evidence counts: "runs" or "rounds".
     std::string unit = "runs";
+    /// Of quality alone: the times, verdicts and reasons of `cells` mean nothing.
+    bool quality_only = false;
+    /// A quality that is mixed is none that is worse.
+    bool accept_mixed = false;
+    /// By what quality was decided.
+    std::vector<DecidingFigure> deciding_figures = default_deciding_figures();
     /// Device, driver, CPU and tool version of both sides, the noise that was assumed and where it is from.
     Json environment;
 };

@@ -15,7 +15,7 @@ namespace {
 /// Half the width of a 95 % interval in standard deviations.
 constexpr double half_width_of_95 = 1.96;
 
-RunSide gather_by_cell(std::span<const StoredRun> runs) {
+RunSide gather_by_cell(std::span<const StoredRun> runs, bool (*is_measured)(const CellResult&)) {
     RunSide side;
     side.runs = runs;
     for (const StoredRun& run : runs) {
@@ -23,7 +23,7 @@ RunSide gather_by_cell(std::span<const StoredRun> runs) {
             const auto [place, is_new] = side.cells.try_emplace(result.cell);
             if (is_new) side.order.push_back(result.cell);
             SideCell& cell = place->second;
-            if (is_timed(result)) {
+            if (is_measured(result)) {
                 cell.measured.push_back(&result);
                 cell.runs.push_back(&run);
             } else if (cell.unmeasured == nullptr) {
@@ -84,10 +84,14 @@ bool is_timed(const CellResult& result) {
     return result.status == CellStatus::ok && draw != result.time.end() && draw->second.median_ms > 0;
 }
 
-RunSide gather_side(std::span<const StoredRun> runs) {
+bool has_figures(const CellResult& result) {
+    return result.status == CellStatus::ok;
+}
+
+RunSide gather_side(std::span<const StoredRun> runs, bool (*is_measured)(const CellResult&)) {
     assert(!runs.empty());
     require_one_device(runs);
-    RunSide side = gather_by_cell(runs);
+    RunSide side = gather_by_cell(runs, is_measured);
     require_one_subject(side);
     return side;
 }

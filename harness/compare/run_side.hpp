@@ -39,12 +39,14 @@ struct RunSide {
     std::unordered_map<std::string, SideCell> cells;
 };
 
-/// Runs that differ in device, or in what one of their cells is of (subject_difference), are an Error. At least one
-/// run.
-RunSide gather_side(std::span<const StoredRun> runs);
-
 /// The result has a positive time of the compared pass.
 bool is_timed(const CellResult& result);
+/// The cell was drawn, whether or not it could be timed.
+bool has_figures(const CellResult& result);
+
+/// Runs that differ in device, or in what one of their cells is of (subject_difference), are an Error. At least one
+/// run.
+RunSide gather_side(std::span<const StoredRun> runs, bool (*is_measured)(const CellResult&) = is_timed);
 
 /// Why no run measured the cell, or why some did not: "failed: lost device".
 std::string unmeasured_text(const SideCell& cell);

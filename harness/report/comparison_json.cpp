@@ -26,9 +26,13 @@ Json quality_to_json(const QualityComparison& quality) {
     return json;
 }
 
-Json cell_to_json(const CellComparison& cell) {
+Json cell_to_json(const CellComparison& cell, bool quality_only) {
     Json json;
     json["cell"] = cell.cell;
+    if (quality_only) {
+        json["quality"] = quality_to_json(cell.quality);
+        return json;
+    }
     json["verdict"] = to_string(cell.verdict);
     json["ratio"] = number(cell.time.ratio);
     json["ci95"] = {number(cell.time.ci95.low), number(cell.time.ci95.high)};
@@ -46,14 +50,30 @@ Json cell_to_json(const CellComparison& cell) {
 Json counts_to_json(const Comparison& comparison) {
     const ComparisonCounts counts = count(comparison);
     Json json;
-    json["slower"] = counts.slower;
-    json["undecided"] = counts.undecided;
-    json["faster"] = counts.faster;
-    json["same"] = counts.same;
+    if (!comparison.quality_only) {
+        json["slower"] = counts.slower;
+        json["undecided"] = counts.undecided;
+        json["faster"] = counts.faster;
+        json["same"] = counts.same;
+    }
     json["worse"] = counts.worse;
+    json["mixed"] = counts.mixed;
     json["better"] = counts.better;
+    json["same_quality"] = counts.same_quality;
+    json["not_comparable"] = counts.not_comparable;
     json["uncompared"] = counts.uncompared;
     json["failed_now"] = counts.failed_now;
+    return json;
+}
+
+Json deciding_figures_to_json(const std::vector<DecidingFigure>& figures) {
+    Json json = Json::array();
+    for (const DecidingFigure& figure : figures) {
+        json.push_back({{"figure", figure.name()},
+                        {"absolute", figure.tolerance.absolute},
+                        {"relative", figure.tolerance.relative},
+                        {"tolerance", tolerance_text(figure)}});
+    }
     return json;
 }
 
@@ -66,6 +86,9 @@ Json quality_change_to_json(const QualityChange& change) {
     json["new"] = number(change.changed);
     json["worse"] = change.worse;
     json["better"] = change.better;
+    json["decides"] = change.decides;
+    json["tolerances"] = number(change.size());
+    json["text"] = quality_change_text(change);
     return json;
 }
 
@@ -77,8 +100,11 @@ Json comparison_without_cells(const Comparison& comparison) {
     }
     json["notices"] = comparison.notices;
     json["summary"] = counts_to_json(comparison);
-    json["threshold"] = number(comparison.threshold);
-    json["unit"] = comparison.unit;
+    json["deciding_figures"] = deciding_figures_to_json(comparison.deciding_figures);
+    if (!comparison.quality_only) {
+        json["threshold"] = number(comparison.threshold);
+        json["unit"] = comparison.unit;
+    }
     json["environment"] = comparison.environment;
     return json;
 }
@@ -87,7 +113,7 @@ Json comparison_to_json(const Comparison& comparison) {
     Json json;
     json["cells"] = Json::array();
     for (const CellComparison& cell : comparison.cells) {
-        json["cells"].push_back(cell_to_json(cell));
+        json["cells"].push_back(cell_to_json(cell, comparison.quality_only));
     }
     json.update(comparison_without_cells(comparison));
     return json;

@@ -6,13 +6,16 @@
 
 namespace reliefbench {
 
-/// `{"cells": [{"cell", "verdict", "ratio", "ci95": [low, high], "visible", "reason", ...}, ...], "uncompared": [...],
-/// "notices": [...], "summary": {...}, "threshold", "unit", "environment": {...}}`. Ratios are new / base, `visible`
-/// and `threshold` fractions. Finite numbers only; what is undefined is null.
+/// `{"cells": [{"cell", "verdict", "ratio", "ci95": [low, high], "visible", "reason", ..., "quality": {"verdict",
+/// "changes": [...]}}, ...], "uncompared": [...], "notices": [...], "summary": {...}, "deciding_figures": [{"figure",
+/// "absolute", "relative", "tolerance"}, ...], "threshold", "unit", "environment": {...}}`. Ratios are new / base,
+/// `visible` and `threshold` fractions. Finite numbers only; what is undefined is null. Of quality alone there is
+/// nothing on times: no verdict, ratio ..., threshold and unit.
 Json comparison_to_json(const Comparison& comparison);
 /// The same less `cells`.
 Json comparison_without_cells(const Comparison& comparison);
-/// `{"field", "base", "new", "worse", "better"}`.
+/// `{"field", "base", "new", "worse", "better", "decides", "tolerances", "text"}`: whether it is part of the verdict,
+/// by how many tolerances it changed (null for endlessly many), and all of it in words.
 Json quality_change_to_json(const QualityChange& change);
 
 /// One document, indented.

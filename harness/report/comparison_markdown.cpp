@@ -60,13 +60,15 @@ void add_changes(Rows& rows, const std::string& title, const std::vector<const C
 std::string format_quality(const Comparison& comparison) {
     Rows rows;
     add_changes(rows, "**worse**", cells_with(comparison, QualityVerdict::worse));
+    add_changes(rows, "**mixed**", cells_with(comparison, QualityVerdict::mixed));
     add_changes(rows, "better", cells_with(comparison, QualityVerdict::better));
     return rows.empty() ? "" : cut_table({"quality", "cell", "base → new"}, "lll", rows) + '\n';
 }
 
 std::string format_other_changes(const Comparison& comparison) {
     Rows rows;
-    add_changes(rows, "same", cells_with_other_changes(comparison));
+    add_changes(rows, "not comparable", cells_with_other_changes(comparison, QualityVerdict::not_comparable));
+    add_changes(rows, "same", cells_with_other_changes(comparison, QualityVerdict::same));
     if (rows.empty()) return "";
     return markdown_details(fmt::format("{} with other changes", counted(rows.size(), "cell")),
                             cut_table({"quality", "cell", "base → new"}, "lll", rows));
@@ -114,11 +116,15 @@ std::string format_comparison_markdown(const Comparison& comparison) {
     if (const Rows failed = uncompared_rows(comparison, true); !failed.empty()) {
         text += cut_table({"failed now", "why"}, "ll", failed) + '\n';
     }
-    if (!comparison.cells.empty()) {
+    if (!comparison.cells.empty() && !comparison.quality_only) {
         text += fmt::format(
             "Threshold {}. Change: of the time, new against base, with its 95 % interval. Visible: the "
             "smallest change that this evidence would have shown.\n\n",
             percent_text(comparison.threshold));
+    }
+    if (!comparison.cells.empty()) {
+        text += fmt::format("Quality is decided by changes beyond these: {}.\n\n",
+                            markdown_text(deciding_figures_text(comparison.deciding_figures)));
     }
     text += format_undecided(comparison) + format_other_changes(comparison);
     if (const Rows rows = uncompared_rows(comparison, false); !rows.empty()) {

@@ -7,8 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace reliefbench {
@@ -17,7 +18,7 @@ namespace {
 
 constexpr std::size_t space_between = 2;
 /// Named without --all: changed fields of a cell, and cells under each reason for not being compared.
-constexpr std::size_t fields_named = 4;
+constexpr std::size_t fields_named = 5;
 constexpr std::size_t cells_named = 3;
 
 std::string format_verdict(const Comparison& comparison, Verdict verdict, std::size_t columns) {
@@ -41,15 +42,35 @@ std::string format_verdict(const Comparison& comparison, Verdict verdict, std::s
 std::string format_changes(std::string_view title, const std::vector<const CellComparison*>& cells,
                            const ComparisonTableOptions& options) {
     if (cells.empty()) return "";
-    std::string text = fmt::format("{}, {}\n", title, counted(cells.size(), "cell"));
+    std::string text = indented(fmt::format("{}, {}", title, counted(cells.size(), "cell")), 0, options.columns);
     for (const CellComparison* cell : cells) {
         text += indented(cell->cell, space_between, options.columns);
-        const std::size_t limit = options.all ? std::numeric_limits<std::size_t>::max() : fields_named;
+        const std::optional<std::size_t> limit = options.all ? std::nullopt : std::optional(fields_named);
         for (const std::string& change : quality_change_texts(cell->quality, limit)) {
             text += indented(change, 3 * space_between, options.columns);
         }
     }
     return text + '\n';
+}
+
+std::string format_quality(const Comparison& comparison, const ComparisonTableOptions& options) {
+    std::string text = format_changes("worse quality", cells_with(comparison, QualityVerdict::worse), options);
+    const std::string_view advice = comparison.accept_mixed ? "" : "; --accept-mixed lets it pass";
+    text += format_changes(fmt::format("mixed quality (some figures better, others worse{})", advice),
+                           cells_with(comparison, QualityVerdict::mixed), options);
+    text += format_changes("better quality", cells_with(comparison, QualityVerdict::better), options);
+    for (const auto& [title, verdict] : {std::pair("quality not comparable", QualityVerdict::not_comparable),
+                                         std::pair("same quality", QualityVerdict::same)}) {
+        const auto large = cells_with_other_changes(comparison, verdict);
+        const auto all = cells_with_other_changes(comparison, verdict, true);
+        text += format_changes(fmt::format("{}, other changes", title), options.all ? all : large, options);
+        if (options.all || all.size() == large.size()) continue;
+        text += indented(fmt::format("{}, changes within the tolerances, {} (--all lists them)", title,
+                                     counted(all.size() - large.size(), "cell")),
+                         0, options.columns) +
+                '\n';
+    }
+    return text;
 }
 
 std::string format_uncompared(const Comparison& comparison, const ComparisonTableOptions& options) {
@@ -82,15 +103,18 @@ std::string format_comparison_table(const Comparison& comparison, const Comparis
         text += format_verdict(comparison, verdict, options.columns);
     }
     if (options.all) text += format_verdict(comparison, Verdict::same, options.columns);
-    text += format_changes("worse quality", cells_with(comparison, QualityVerdict::worse), options);
-    text += format_changes("better quality", cells_with(comparison, QualityVerdict::better), options);
-    text += format_changes("same quality, other changes", cells_with_other_changes(comparison), options);
+    text += format_quality(comparison, options);
     text += format_uncompared(comparison, options);
-    if (!comparison.cells.empty()) {
+    if (!comparison.cells.empty() && !comparison.quality_only) {
         text += indented(fmt::format("threshold {}; change: of the time, new against base; 95 %: its interval; "
                                      "visible: the smallest change that this evidence would have shown",
                                      percent_text(comparison.threshold)),
                          0, options.columns);
+    }
+    if (!comparison.cells.empty()) {
+        text += indented(
+            "quality is decided by changes beyond these: " + deciding_figures_text(comparison.deciding_figures), 0,
+            options.columns);
     }
     return text + indented(summary_line(comparison), 0, options.columns);
 }

@@ -18,7 +18,8 @@ struct ComparisonTableOptions {
 
 /// For the terminal: what slowed down first, then what is undecided, then what became faster; cells that stayed the
 /// same are counted only. Then what changed in quality, what could not be compared and why, and on what all of it
-/// rests.
+/// rests. Of the cells of the same quality those are listed of which some other figure changed by more than its
+/// tolerance.
 std::string format_comparison_table(const Comparison& comparison, const ComparisonTableOptions& options = {});
 
 }  // namespace reliefbench

@@ -1,6 +1,7 @@
 #include "report/comparison_words.hpp"
 
 #include "compare/describe.hpp"
+#include "core/suggest.hpp"
 #include "report/merged_reason.hpp"
 #include "report/text_layout.hpp"
 
@@ -15,34 +16,55 @@ namespace {
 
 constexpr const char* undefined = "-";
 
-/// Of the larger side; a value that one side lacks counts as a whole one.
-double relative_size(const QualityChange& change) {
-    if (!change.base || !change.changed) return 1;
-    const double larger = std::max(std::abs(*change.base), std::abs(*change.changed));
-    return larger > 0 ? std::abs(*change.changed - *change.base) / larger : 0;
-}
-
-/// Those of whom `is_wanted` says so, the largest change first.
+/// Those of whom `is_wanted` says so, the largest change of the most important figure first.
 template <typename IsWanted>
 std::vector<const CellComparison*> changed_cells(const Comparison& comparison, IsWanted&& is_wanted) {
     std::vector<const CellComparison*> cells;
     for (const CellComparison& cell : comparison.cells) {
         if (is_wanted(cell.quality)) cells.push_back(&cell);
     }
-    const auto largest = [](const CellComparison* cell) {
-        double size = 0;
-        for (const QualityChange& change : cell->quality.changes) {
-            size = std::max(size, relative_size(change));
-        }
-        return size;
+    const auto size = [](const CellComparison* cell) {
+        return cell->quality.changes.empty() ? 0 : cell->quality.changes.front().size();
     };
     std::stable_sort(cells.begin(), cells.end(),
-                     [&](const CellComparison* a, const CellComparison* b) { return largest(a) > largest(b); });
+                     [&](const CellComparison* a, const CellComparison* b) { return size(a) > size(b); });
     return cells;
 }
 
-std::string value_text(const std::optional<double>& value, int digits) {
-    return value && std::isfinite(*value) ? significant(*value, digits) : undefined;
+bool matters(const QualityChange& change) {
+    const bool on_one_side_only = !(change.base && change.changed);
+    return change.decides || change.size() > 1 || (on_one_side_only && change.is_deciding);
+}
+
+/// Fractions are written per cent.
+constexpr std::string_view fraction = "fraction";
+
+double shown(double value, std::string_view unit) {
+    return unit.starts_with(fraction) ? 100 * value : value;
+}
+
+/// With the space before it.
+std::string unit_text(std::string_view unit) {
+    if (unit.empty()) return "";
+    if (!unit.starts_with(fraction)) return fmt::format(" {}", unit);
+    return fmt::format(" %{}", unit.substr(fraction.size()));
+}
+
+std::string value_text(const std::optional<double>& value, std::string_view unit, int digits) {
+    if (!value) return undefined;
+    return std::isfinite(*value) ? significant(shown(*value, unit), digits) : "∞";
+}
+
+/// By how much, where that can be said: of the base, or where that says little in the figure's unit.
+std::string amount_text(const QualityChange& change) {
+    constexpr double least_factor = 10;
+    if (!std::isfinite(*change.base) || !std::isfinite(*change.changed)) return "";
+    const double difference = std::abs(*change.changed - *change.base);
+    const bool in_unit = *change.base == 0 || (change.tolerance.relative == 0 && change.tolerance.absolute > 0);
+    if (in_unit) return " by " + significant(shown(difference, change.unit), 2) + unit_text(change.unit);
+    const double share = difference / std::abs(*change.base);
+    if (share >= least_factor) return fmt::format(" by a factor of {}", significant(share + 1, 2));
+    return fmt::format(" by {} %", significant(100 * share, 2));
 }
 
 }  // namespace
@@ -55,7 +77,10 @@ ComparisonCounts count(const Comparison& comparison) {
         counts.same += cell.verdict == Verdict::same ? 1 : 0;
         counts.undecided += cell.verdict == Verdict::undecided ? 1 : 0;
         counts.worse += cell.quality.verdict == QualityVerdict::worse ? 1 : 0;
+        counts.mixed += cell.quality.verdict == QualityVerdict::mixed ? 1 : 0;
         counts.better += cell.quality.verdict == QualityVerdict::better ? 1 : 0;
+        counts.same_quality += cell.quality.verdict == QualityVerdict::same ? 1 : 0;
+        counts.not_comparable += cell.quality.verdict == QualityVerdict::not_comparable ? 1 : 0;
     }
     for (const UncomparedCell& cell : comparison.uncompared) {
         ++counts.uncompared;
@@ -68,8 +93,13 @@ std::string summary_line(const Comparison& comparison) {
     const ComparisonCounts counts = count(comparison);
     std::string line = fmt::format("{} compared", counted(comparison.cells.size(), "cell"));
     if (!comparison.cells.empty()) {
-        line += fmt::format(": {} slower, {} undecided, {} faster, {} same; quality: {} worse, {} better",
-                            counts.slower, counts.undecided, counts.faster, counts.same, counts.worse, counts.better);
+        if (!comparison.quality_only) {
+            line += fmt::format(": {} slower, {} undecided, {} faster, {} same", counts.slower, counts.undecided,
+                                counts.faster, counts.same);
+        }
+        line += fmt::format("; quality: {} worse, {} mixed, {} better, {} same", counts.worse, counts.mixed,
+                            counts.better, counts.same_quality);
+        if (counts.not_comparable > 0) line += fmt::format(", {} not comparable", counts.not_comparable);
     }
     if (counts.uncompared > 0) line += fmt::format("; {} not compared", counts.uncompared);
     if (counts.failed_now > 0) line += fmt::format(", {} of them failed now", counts.failed_now);
@@ -78,6 +108,7 @@ std::string summary_line(const Comparison& comparison) {
 
 std::vector<const CellComparison*> cells_with(const Comparison& comparison, Verdict verdict) {
     std::vector<const CellComparison*> cells;
+    if (comparison.quality_only) return cells;
     for (const CellComparison& cell : comparison.cells) {
         if (cell.verdict == verdict) cells.push_back(&cell);
     }
@@ -92,9 +123,12 @@ std::vector<const CellComparison*> cells_with(const Comparison& comparison, Qual
                          [verdict](const QualityComparison& quality) { return quality.verdict == verdict; });
 }
 
-std::vector<const CellComparison*> cells_with_other_changes(const Comparison& comparison) {
-    return changed_cells(comparison, [](const QualityComparison& quality) {
-        return quality.verdict == QualityVerdict::same && !quality.changes.empty();
+std::vector<const CellComparison*> cells_with_other_changes(const Comparison& comparison, QualityVerdict verdict,
+                                                            bool any) {
+    return changed_cells(comparison, [&](const QualityComparison& quality) {
+        return quality.verdict == verdict &&
+               std::any_of(quality.changes.begin(), quality.changes.end(),
+                           [&](const QualityChange& each) { return any || matters(each); });
     });
 }
 
@@ -126,6 +160,10 @@ std::string_view to_string(QualityVerdict verdict) {
             return "better";
         case QualityVerdict::worse:
             return "worse";
+        case QualityVerdict::mixed:
+            return "mixed";
+        case QualityVerdict::not_comparable:
+            return "not comparable";
     }
     return "";
 }
@@ -159,28 +197,50 @@ std::string quality_change_text(const QualityChange& change) {
     // As many digits as it takes to tell the sides apart.
     constexpr int most_digits = 17;
     int digits = 3;
-    while (digits < most_digits && value_text(change.base, digits) == value_text(change.changed, digits)) {
+    const auto value = [&](const std::optional<double>& side) { return value_text(side, change.unit, digits); };
+    while (digits < most_digits && value(change.base) == value(change.changed)) {
         ++digits;
     }
-    return fmt::format("{} {} → {}", change.field, value_text(change.base, digits), value_text(change.changed, digits));
+    std::string judgement;
+    if (!change.base || !change.changed) {
+        judgement = change.is_deciding ? "not compared: " : "";
+    } else if (change.worse || change.better) {
+        judgement = fmt::format("{}{}{}: ", change.worse ? "worse" : "better", amount_text(change),
+                                change.is_deciding && !change.decides ? ", within the tolerance" : "");
+    }
+    return fmt::format("{}{} {} → {}{}{}", judgement, change.field, value(change.base), value(change.changed),
+                       unit_text(change.unit),
+                       change.in_place_of.empty() ? "" : fmt::format(" (in place of {})", change.in_place_of));
 }
 
-std::vector<std::string> quality_change_texts(const QualityComparison& quality, std::size_t limit) {
-    std::vector<const QualityChange*> changes;
-    for (const QualityChange& change : quality.changes) {
-        changes.push_back(&change);
-    }
-    std::stable_sort(changes.begin(), changes.end(), [](const QualityChange* a, const QualityChange* b) {
-        if (a->worse != b->worse) return a->worse;
-        if (a->better != b->better) return a->better;
-        return relative_size(*a) > relative_size(*b);
-    });
+std::vector<std::string> quality_change_texts(const QualityComparison& quality, std::optional<std::size_t> limit) {
     std::vector<std::string> texts;
-    for (std::size_t change = 0; change < std::min(limit, changes.size()); ++change) {
-        texts.push_back(quality_change_text(*changes[change]));
+    for (const QualityChange& change : quality.changes) {
+        if (limit && (texts.size() == *limit || !matters(change))) continue;
+        texts.push_back(quality_change_text(change));
     }
-    if (changes.size() > limit) texts.push_back(fmt::format("and {} more", changes.size() - limit));
+    const std::size_t left_out = quality.changes.size() - texts.size();
+    if (left_out > 0) texts.push_back(fmt::format("and {} more", left_out));
     return texts;
+}
+
+std::string tolerance_text(const DecidingFigure& figure) {
+    const std::string_view unit = figure.terms.front()->unit;
+    const auto& [absolute, relative] = figure.tolerance;
+    std::vector<std::string> parts;
+    if (absolute > 0) parts.push_back(fmt::format("{:g}{}", shown(absolute, unit), unit_text(unit)));
+    if (relative > 0) parts.push_back(fmt::format("{:g} %", 100 * relative));
+    return parts.empty() ? "nothing" : join(parts, " and ");
+}
+
+std::string deciding_figures_text(const std::vector<DecidingFigure>& figures) {
+    std::string text;
+    for (std::size_t figure = 0; figure < figures.size(); ++figure) {
+        const std::string tolerance = tolerance_text(figures[figure]);
+        const bool alike = figure + 1 < figures.size() && tolerance_text(figures[figure + 1]) == tolerance;
+        text += figures[figure].name() + (alike ? ", " : ": " + tolerance + "; ");
+    }
+    return text.substr(0, text.size() - 2);
 }
 
 }  // namespace reliefbench

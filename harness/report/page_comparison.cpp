@@ -11,10 +11,16 @@ namespace reliefbench {
 
 namespace {
 
-Json telling_changes(const QualityComparison& quality) {
+/// The most important of a cell.
+constexpr std::size_t most_changes = 12;
+
+Json changes_to_json(const QualityComparison& quality) {
     Json changes = Json::array();
     for (const QualityChange& change : quality.changes) {
-        if (change.worse || change.better) changes.push_back(quality_change_to_json(change));
+        if (changes.size() == most_changes) break;
+        const bool on_one_side_only = !(change.base && change.changed);
+        if (on_one_side_only ? !change.is_deciding : !(change.worse || change.better)) continue;
+        changes.push_back({{"decides", change.decides}, {"text", quality_change_text(change)}});
     }
     return changes;
 }
@@ -36,8 +42,8 @@ Json cells_to_columns(const std::vector<CellComparison>& cells, const std::vecto
         visible.push_back(rounded_number(compared.time.visible));
         reason.push_back(compared.reason);
         quality.push_back(to_string(compared.quality.verdict));
-        if (Json telling = telling_changes(compared.quality); !telling.empty())
-            changes.push_back({place, std::move(telling)});
+        if (Json important = changes_to_json(compared.quality); !important.empty())
+            changes.push_back({place, std::move(important)});
     }
     return {{"cell", std::move(cell)},     {"verdict", std::move(verdict)}, {"ratio", std::move(ratio)},
             {"low", std::move(low)},       {"high", std::move(high)},       {"visible", std::move(visible)},

@@ -109,6 +109,7 @@ std::string format_workflow_commands(const Comparison& comparison) {
     std::vector<Message> notices;
     add_times(comparison, Verdict::slower, errors);
     add_quality(comparison, QualityVerdict::worse, errors);
+    add_quality(comparison, QualityVerdict::mixed, comparison.accept_mixed ? warnings : errors);
     add_uncompared(comparison, errors, warnings);
     add_times(comparison, Verdict::undecided, warnings);
     notices.push_back({"reliefbench", summary_line(comparison), ""});

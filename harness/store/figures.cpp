@@ -202,6 +202,10 @@ std::span<const FigureDeclaration> figures() {
     return declarations;
 }
 
+bool is_time(const FigureDeclaration& figure) {
+    return figure.path.starts_with("time.") || figure.path == "prepare.ms";
+}
+
 const FigureDeclaration* find_figure(std::string_view path) {
     const auto* found = std::find_if(std::begin(declarations), std::end(declarations),
                                      [path](const FigureDeclaration& each) { return each.path == path; });

@@ -34,6 +34,10 @@ struct FigureDeclaration {
 /// preparation passes, `pipeline` and `executable`.
 std::span<const FigureDeclaration> figures();
 
+/// Of what a device measures anew each time, unlike the others, which repeat exactly on it: times and what belongs to
+/// them.
+bool is_time(const FigureDeclaration& figure);
+
 /// Null where there is none of that path.
 const FigureDeclaration* find_figure(std::string_view path);
 

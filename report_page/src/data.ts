@@ -69,12 +69,12 @@ export interface PackedPicture {
 
 export type Verdict = "slower" | "faster" | "same" | "undecided";
 
+export type QualityVerdict = "worse" | "mixed" | "better" | "same" | "not comparable";
+
+/** `decides`: part of the verdict. */
 export interface QualityChange {
-  field: string;
-  base: number | null;
-  new: number | null;
-  worse: boolean;
-  better: boolean;
+  decides: boolean;
+  text: string;
 }
 
 export interface CellVerdict {
@@ -84,7 +84,8 @@ export interface CellVerdict {
   ci95: [number | null, number | null];
   visible: number | null;
   reason: string;
-  quality: { verdict: string; changes: QualityChange[] };
+  /** The most important change first. */
+  quality: { verdict: QualityVerdict; changes: QualityChange[] };
 }
 
 export interface ComparisonResult {
@@ -92,6 +93,7 @@ export interface ComparisonResult {
   uncompared: { cell: string; reason: string; failed_now: boolean }[];
   notices: string[];
   summary: Record<string, number>;
+  deciding_figures: { figure: string; tolerance: string }[];
   threshold: number | null;
   unit: string;
   environment: Json;
@@ -106,7 +108,7 @@ export interface VerdictColumns {
   high: (number | null)[];
   visible: (number | null)[];
   reason: string[];
-  quality: string[];
+  quality: QualityVerdict[];
   changes: [place: number, changes: QualityChange[]][];
 }
 

@@ -47,8 +47,12 @@ before(async () => {
     },
   };
   writeRun(join(folder, "small"), smallRun(), { name: "small", pictures });
+  const slower = smallRun({ slowdown: 8 }).slice(1);
+  const { error } = slower.find(({ cell }) => cell === pom);
+  error.uv_texels.p99 /= 10;
+  error.missed = 0.03;
   writeRun(join(folder, "slower"), [
-    ...smallRun({ slowdown: 8 }).slice(1),
+    ...slower,
     unmeasured({ technique: "new", status: "failed", reason: "no" }),
   ]);
   writeRun(
@@ -334,6 +338,12 @@ test("what changed between two runs, verdict by verdict", async () => {
   assert.match(await page.textContent(".verdicts"), /19compared12slower/);
   await page.click("[data-verdict=slower]");
   assert.match(await page.textContent(".rows tbody tr >> nth=0"), /slower\+700 %/);
+  assert.match(
+    await page.textContent(".quality.mixed"),
+    /^mixed: worse by 3.0 % of footprint: error.missed\+error.false_hits 0 → 3.00 % of footprint, and 1 more$/,
+  );
+  await page.click("[data-verdict=mixed]");
+  assert.equal(await page.locator(".rows tbody tr").count(), 1);
   assert.match(await page.textContent(".view-changes"), /2 cells not compared.*flat \| heightmap=rock view_angle=0/);
   await page.keyboard.press("r");
   assert.match(await page.textContent("header"), /19 cells measured1 failed/);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace reliefbench {
@@ -115,6 +116,29 @@ TEST_F(Ab, AnErrorThatGrewIsAWorseQuality) {
     EXPECT_EQ(outcome.code, 1) << outcome.out;
     EXPECT_EQ(Json::parse(outcome.out).at("cells")[0].at("quality").at("verdict"), "worse");
     EXPECT_THAT(outcome.out, HasSubstr("error.uv_texels"));
+}
+
+TEST_F(Ab, ARefinementPutBackIsBetterThoughSomeNormalsAreFurtherOff) {
+    for (const auto& [side, answer] :
+         {std::pair("base", "crossing.s_below"), std::pair("techniques", "refine_linearly(crossing).s")}) {
+        write(std::string(side) + "/mine/trace.glsl", std::string(R"(#include "march.glsl"
+Trace trace(ReliefRay ray) {
+    Crossing crossing = find_crossing(ray, layer_count(ray));
+    return hit_on_ray()") + answer + R"(, crossing.steps);
+}
+)");
+    }
+    const Outcome outcome = ab({"--threshold", "99%", "--budget", "1s", "-a", "heightmap_size=64", "-a",
+                                "view_angle=70", "-a", "projection=parallel"});
+    EXPECT_NE(outcome.code, 1) << outcome.err;
+    const Json quality = Json::parse(outcome.out).at("cells")[0].at("quality");
+    EXPECT_EQ(quality.at("verdict"), "better");
+    const Json& first = quality.at("changes")[0];
+    EXPECT_TRUE(first.at("decides") == true && first.at("better") == true) << first;
+    const bool normals_are_worse = std::any_of(
+        quality.at("changes").begin(), quality.at("changes").end(),
+        [](const Json& change) { return change.at("field") == "error.normal_deg.p95" && change.at("worse") == true; });
+    EXPECT_TRUE(normals_are_worse) << quality;
 }
 
 TEST_F(Ab, EachSideIsCompiledWithItsOwnSharedShaders) {

@@ -74,7 +74,59 @@ TEST_F(Compare, WorseQualityIsARegressionHoweverFast) {
     const auto changed = store("new", {{pom, 0.5, 0.6}});
     const Outcome outcome = compare(base, changed);
     EXPECT_EQ(outcome.code, 1);
-    EXPECT_THAT(outcome.out, HasSubstr("error.uv_texels.p99 0.500 → 0.600"));
+    EXPECT_THAT(outcome.out, HasSubstr("worse by 20 %: error.uv_texels.p99 0.500 → 0.600 texels"));
+}
+
+/// An error that fell at the cost of hits, an error that fell, and one that did not change.
+const std::vector<StoredCell> before = {{"a | v", 1, 0.5}, {"b | v", 1, 0.5}, {"c | v", 1, 0.5}};
+const std::vector<StoredCell> after = {{"a | v", 5, 0.1, CellStatus::ok, 0.01}, {"b | v", 5, 0.1}, {"c | v", 5, 0.5}};
+
+TEST_F(Compare, AMixedQualityIsARegressionUnlessItIsAccepted) {
+    store_run(path("base"), before);
+    store_run(path("new"), after);
+    const Outcome outcome = reliefbench({"compare", "--quality", "base", "new"});
+    EXPECT_EQ(outcome.code, 1) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("mixed quality (some figures better, others worse; --accept-mixed lets it "
+                                       "pass), 1 cell\n"
+                                       "  a | v\n"
+                                       "      worse by 1.0 % of footprint: error.missed+error.false_hits 0 → 1.00 % of "
+                                       "footprint\n"
+                                       "      better by 80 %: error.uv_texels.p99 0.500 → 0.100 texels\n"));
+    EXPECT_EQ(reliefbench({"compare", "--quality", "--accept-mixed", "base", "new"}).code, 0);
+    EXPECT_THAT(reliefbench({"compare", "--quality", "--format", "github", "base", "new"}).out,
+                HasSubstr("::error title=mixed quality::a | v"));
+    EXPECT_THAT(reliefbench({"compare", "--quality", "--accept-mixed", "--format", "github", "base", "new"}).out,
+                HasSubstr("::warning title=mixed quality::a | v"));
+}
+
+TEST_F(Compare, QualityAloneSaysNothingOfTimes) {
+    store_run(path("base"), before);
+    store_run(path("new"), after, "another device");
+    const Outcome table = reliefbench({"compare", "--quality", "base", "new"});
+    EXPECT_THAT(table.out, AllOf(Not(HasSubstr("slower")), Not(HasSubstr("undecided")), Not(HasSubstr("threshold")),
+                                 HasSubstr("3 cells compared; quality: 0 worse, 1 mixed, 1 better, 1 same\n")));
+    const Json json = Json::parse(reliefbench({"compare", "--quality", "--format", "json", "base", "new"}).out);
+    EXPECT_FALSE(json.at("cells").at(0).contains("ratio"));
+    EXPECT_FALSE(json.contains("threshold"));
+    EXPECT_EQ(json.at("cells").at(1).at("quality").at("verdict"), "better");
+    EXPECT_THAT(reliefbench({"compare", "--quality", "--format", "markdown", "base", "new"}).out,
+                AllOf(HasSubstr("| **mixed** | `a \\| v` |"), Not(HasSubstr("Threshold"))));
+}
+
+TEST_F(Compare, ChosenFiguresDecide) {
+    store_run(path("base"), before);
+    store_run(path("new"), after);
+    const auto code_with = [&](const std::string& figures) {
+        return reliefbench({"compare", "--quality", "--quality-figures", figures, "base", "new"}).code;
+    };
+    EXPECT_EQ(code_with("error.uv_texels.p99"), 0);
+    EXPECT_EQ(code_with("error.missed"), 1);
+    EXPECT_EQ(code_with("error.missed:0.02"), 0);
+    EXPECT_EQ(code_with("error.uv_texels.p99,error.missed+error.false_hits:0.001:50%"), 1);
+    const Outcome none = reliefbench({"compare", "--quality", "--quality-figures", "image.ssim", "base", "new"});
+    EXPECT_EQ(none.code, 3) << "runs that do not have the figure decide nothing";
+    EXPECT_THAT(none.out, HasSubstr("quality: 0 worse, 0 mixed, 0 better, 0 same, 3 not comparable"));
+    EXPECT_THAT(none.out, HasSubstr("quality is decided by changes beyond these: image.ssim: 0.005\n"));
 }
 
 TEST_F(Compare, ACellThatFailedNowWeighsMoreThanASlowerOne) {
@@ -174,6 +226,13 @@ TEST_F(Compare, BadInputIsRefused) {
         {{"runs/a", "c", "--threshold", "two"}, "expected a fraction such as 2% or 0.02, found 'two'"},
         {{"runs/a", "c", "--threshold", "%"}, "expected a fraction"},
         {{"runs/a", "c", "--format", "jsn"}, "did you mean 'json'?"},
+        {{"runs/a", "c", "--quality", "--threshold", "2%"}, "--threshold excludes --quality"},
+        {{"runs/a", "c", "--quality-figures", "image.flop"}, "did you mean 'image.flip'?"},
+        {{"runs/a", "c", "--quality-figures", "time.draw.median_ms"}, "is a time, which has a verdict of its own"},
+        {{"runs/a", "c", "--quality-figures", "error.depth.mean"}, "neither less nor more is better"},
+        {{"runs/a", "c", "--quality-figures", "image.flip:x"}, "expected a tolerance such as 0.05"},
+        {{"runs/a", "c", "--quality-figures", "image.flip,image.flip:0.1"}, "named twice"},
+        {{"runs/a", "c", "--quality-figures", "image.flip+error.missed"}, "their sum means nothing"},
         {{}, "--help"},
     };
     for (const BadComparison& bad : cases) {

@@ -15,6 +15,7 @@ struct StoredCell {
     double ms = 1;
     double uv_p99 = 0.5;
     CellStatus status = CellStatus::ok;
+    double missed = 0;
 };
 
 /// Writes a run that no device drew, so that what it says is known: rounds of 1 ‰ more and less than the median.
@@ -40,6 +41,7 @@ inline void store_run(const std::filesystem::path& folder, const std::vector<Sto
             CellResult::Errors errors;
             errors.uv_texels = Summary{0.1, 0.2, 0.1, 0.4, stored.uv_p99, 3};
             errors.compared = 65536;
+            errors.missed = stored.missed;
             errors.coverage_iou = 1;
             cell.error = errors;
             for (int round = 0; round < 9; ++round) {

@@ -1,5 +1,6 @@
 #include "compare/compare_runs.hpp"
 
+#include "compare/pair_runs.hpp"
 #include "compare/synthetic_runs.hpp"
 #include "support/error_message.hpp"
 
@@ -255,6 +256,14 @@ TEST(CompareRuns, RunsOfASideThatDifferAmongThemselvesAreANotice) {
                 Contains(AllOf(HasSubstr("base runs differ among themselves"), HasSubstr("base2"), HasSubstr("def"))));
 }
 
+std::vector<std::string> changed_fields(const Comparison& comparison) {
+    std::vector<std::string> fields;
+    for (const QualityChange& change : comparison.cells.at(0).quality.changes) {
+        fields.push_back(change.field);
+    }
+    return fields;
+}
+
 TEST(CompareRuns, ErrorsAreComparedOnlyAgainstTheSameTruthAndPicturesOnlyUnderTheSameLight) {
     CellResult worse = cell_result("c", 1);
     worse.error->missed = 0.5;
@@ -263,36 +272,66 @@ TEST(CompareRuns, ErrorsAreComparedOnlyAgainstTheSameTruthAndPicturesOnlyUnderTh
     before.image->rmse = 0.1;
     const StoredRun base = one_run("base", {before});
     StoredRun changed = one_run("new", {worse});
-    EXPECT_EQ(compare_one(base, changed).cells[0].quality.changes.size(), 2U);
+    EXPECT_THAT(changed_fields(compare_one(base, changed)),
+                ElementsAre("error.missed+error.false_hits", "error.missed", "image.rmse"));
     changed.run.run["configuration"]["lighting"]["ambient"] = 0.3;
     const Comparison lit = compare_one(base, changed);
-    ASSERT_EQ(lit.cells[0].quality.changes.size(), 1U);
-    EXPECT_EQ(lit.cells[0].quality.changes[0].field, "error.missed");
+    EXPECT_THAT(changed_fields(lit), ElementsAre("error.missed+error.false_hits", "error.missed"));
     EXPECT_THAT(lit.notices, Contains(HasSubstr("the lighting or the object differs")));
     changed.run.run["configuration"]["truth"]["kind"] = "mesh";
     const Comparison other = compare_one(base, changed);
-    EXPECT_TRUE(other.cells[0].quality.changes.empty());
+    EXPECT_THAT(changed_fields(other), testing::IsEmpty());
+    EXPECT_EQ(other.cells[0].quality.verdict, QualityVerdict::not_comparable);
     EXPECT_THAT(other.notices, Contains("truth: kind changed from exact to mesh"));
 }
 
 TEST(CompareRuns, MotionIsComparedOnlyAlongTheSameArc) {
     CellResult before = cell_result("c", 1);
-    before.motion = CellResult::Motion{CellResult::MotionFigure{0.5, 1, 2}, CellResult::MotionFigure{0.1, 0.2, 0.3}};
+    before.motion =
+        CellResult::Motion{CellResult::MotionFigure{0.5, 1, 2}, CellResult::MotionFigure{0.1, 0.2, 0.3}, 1000};
     CellResult worse = before;
     worse.motion->texels->mean = 0.6;
     worse.motion->flip->mean = 0.15;
     StoredRun base = one_run("base", {before});
     StoredRun changed = one_run("new", {worse});
     base.run.run["configuration"]["motion"] = changed.run.run["configuration"]["motion"] = {{"degrees", 0.25}};
-    EXPECT_EQ(compare_one(base, changed).cells[0].quality.changes.size(), 2U);
+    EXPECT_THAT(changed_fields(compare_one(base, changed)), ElementsAre("motion.flip.mean", "motion.texels.mean"));
     changed.run.run["configuration"]["lighting"]["ambient"] = 0.3;
-    const Comparison lit = compare_one(base, changed);
-    ASSERT_EQ(lit.cells[0].quality.changes.size(), 1U);
-    EXPECT_EQ(lit.cells[0].quality.changes[0].field, "motion.texels.mean");
+    EXPECT_THAT(changed_fields(compare_one(base, changed)), ElementsAre("motion.texels.mean"));
     changed.run.run["configuration"]["motion"]["degrees"] = 0.5;
     const Comparison other = compare_one(base, changed);
-    EXPECT_TRUE(other.cells[0].quality.changes.empty());
+    EXPECT_THAT(changed_fields(other), testing::IsEmpty());
     EXPECT_THAT(other.notices, Contains("motion: degrees changed from 0.25 to 0.5"));
+}
+
+TEST(CompareRuns, OneRunASideTellsQualityWhateverTheTimesAndTheDevices) {
+    CellResult before = cell_result("c", 1);
+    before.image->flip = 0.1;
+    CellResult after = before;
+    after.image->flip = 0.2;
+    after.time.clear();
+    StoredRun changed = one_run("new", {after, with_status(cell_result("broken", 1), CellStatus::failed, "lost")});
+    changed.run.run["device"]["name"] = "another device";
+    const std::vector base = {one_run("base", {before, cell_result("broken", 1)})};
+    const Comparison comparison = compare_quality_of_runs(base, std::vector{changed}, default_deciding_figures());
+    ASSERT_EQ(comparison.cells.size(), 1U);
+    EXPECT_TRUE(comparison.quality_only);
+    EXPECT_EQ(comparison.cells[0].quality.verdict, QualityVerdict::worse);
+    EXPECT_TRUE(comparison.uncompared.at(0).failed_now);
+    EXPECT_THAT(comparison.notices, Contains(HasSubstr("the devices differ")));
+    EXPECT_THAT(comparison.notices, testing::Not(Contains(HasSubstr("noise"))));
+}
+
+TEST(CompareRuns, AFigureOfAnOlderVersionStandsInAndThatIsSaid) {
+    CellResult before = cell_result("c", 1);
+    before.image->flip = 0.1;
+    CellResult after = before;
+    after.image->footprint.emplace();
+    after.image->footprint->flip = 0.01;
+    EXPECT_THAT(compare_one(one_run("base", {before}), one_run("new", {after})).notices,
+                Contains("of 1 of 1 cells one side has no image.footprint.flip, so image.flip decides in its place"));
+    EXPECT_THAT(compare_one(one_run("base", {after}), one_run("new", {after})).notices,
+                testing::Not(Contains(HasSubstr("decides in its place"))));
 }
 
 TEST(CompareRuns, AChangedPreparationTimeIsANotice) {

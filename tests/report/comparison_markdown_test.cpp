@@ -24,7 +24,7 @@ TEST(Markdown, CodeMayHoldBarsAndBackticks) {
 TEST(ComparisonMarkdown, ShowsWhatChangedAndFoldsTheRest) {
     EXPECT_EQ(
         format_comparison_markdown(sample_comparison()),
-        R"(**reliefbench: 5 cells compared: 2 slower, 1 undecided, 1 faster, 1 same; quality: 1 worse, 0 better; 3 not compared, 1 of them failed now**
+        R"(**reliefbench: 5 cells compared: 2 slower, 1 undecided, 1 faster, 1 same; quality: 1 worse, 1 mixed, 0 better, 3 same; 3 not compared, 1 of them failed now**
 
 - the driver changed: Mesa 22.3.6, now Mesa 23.0.0
 
@@ -36,13 +36,16 @@ TEST(ComparisonMarkdown, ShowsWhatChangedAndFoldsTheRest) {
 
 | quality | cell | base → new |
 | --- | --- | --- |
-| **worse** | `pom \| view_angle=60` | error.uv\_texels.p99 0.750 → 0.810<br>error.missed 0.0200 → 0.0100<br>image.psnr - → 40.0 |
+| **worse** | `pom \| view_angle=60` | worse by 8.0 %: error.uv\_texels.p99 0.750 → 0.810 texels<br>better by 1.0 % of footprint: error.missed 2.00 → 1.00 % of footprint<br>and 1 more |
+| **mixed** | `steep \| view_angle=60` | better by 90 %: error.uv\_texels.p99 0.800 → 0.0800 texels<br>worse by 0.30 % of footprint: error.missed+error.false\_hits 0.200 → 0.500 % of footprint |
 
 | failed now | why |
 | --- | --- |
 | `mine \| view_angle=60` | ok in the base, failed now: trace.glsl:3: error |
 
 Threshold 2.0 %. Change: of the time, new against base, with its 95 % interval. Visible: the smallest change that this evidence would have shown.
+
+Quality is decided by changes beyond these: error.uv\_texels.p99, error.uv\_texels.mean: 0.05 texels and 5 %; error.missed+error.false\_hits: 0.1 % of footprint; image.footprint.flip: 0.002 and 2 %; error.shadow.mean: 0.005 visibility and 5 %; motion.texels.mean: 0.005 texels and 5 %; motion.flip.mean: 0.005 and 5 %.
 
 <details><summary>1 cell undecided</summary>
 
@@ -55,7 +58,7 @@ Threshold 2.0 %. Change: of the time, new against base, with its 95 % interval. 
 
 | quality | cell | base → new |
 | --- | --- | --- |
-| same | `relief \| view_angle=60` | work.taps\_mean 17.5 → 34.0 |
+| same | `relief \| view_angle=60` | worse by 94 %: work.taps\_mean 17.5 → 34.0 |
 
 </details>
 <details><summary>2 cells not compared</summary>
@@ -87,7 +90,7 @@ TEST(ComparisonMarkdown, FitsIntoACommentHoweverManyCells) {
         const auto verdict = static_cast<Verdict>(cell % 4);
         comparison.cells.push_back(
             compared("technique max_steps=" + std::to_string(cell) + view, verdict, 1.5, {1.25, 1.75}));
-        const QualityChange change{"error.uv_texels.p99", 0.75, 0.81, true, false};
+        const QualityChange change = quality_change("error.missed+error.false_hits", 0.01, 0.81, true);
         comparison.cells.back().quality = {QualityVerdict::worse, {change, change, change, change}};
         comparison.uncompared.push_back({"other max_steps=" + std::to_string(cell) + view,
                                          "ok in the base, failed now: out of device memory", cell % 2 == 0});

@@ -265,9 +265,14 @@ TEST(Page, ComparedCellsAreColumnsOfWhatIsShown) {
     EXPECT_EQ(cells.at("high").at(1), 1.094);
     EXPECT_EQ(cells.at("reason").at(1), comparison.cells[1].reason);
     EXPECT_EQ(cells.at("quality").at(0), "worse");
-    ASSERT_EQ(cells.at("changes").size(), 1U) << "only changes for better or worse";
+    EXPECT_EQ(cells.at("quality").at(1), "mixed");
+    ASSERT_EQ(cells.at("changes").size(), 4U);
     EXPECT_EQ(cells.at("changes").at(0).at(0), 0);
-    EXPECT_EQ(cells.at("changes").at(0).at(1).size(), 2U);
+    const Json& changes = cells.at("changes").at(0).at(1);
+    ASSERT_EQ(changes.size(), 2U) << "only changes for better or worse";
+    EXPECT_EQ(changes.at(0).at("decides"), true);
+    EXPECT_EQ(changes.at(0).at("text"), "worse by 8.0 %: error.uv_texels.p99 0.750 → 0.810 texels");
+    EXPECT_EQ(changes.at(1).at("decides"), false);
     EXPECT_EQ(json.at("uncompared").size(), 3U);
 }
 

@@ -7,7 +7,7 @@ import {
   type ComparisonResult,
   type Json,
   numberOf,
-  type QualityChange,
+  type QualityVerdict,
   settingOf,
   type Verdict,
   viewOf,
@@ -20,7 +20,9 @@ import { type Column, sortRows, Table } from "../table.ts";
 
 /** In the order in which they ask for attention. */
 const verdicts: Verdict[] = ["slower", "faster", "undecided", "same"];
-const qualities = ["worse", "better"];
+const qualities: QualityVerdict[] = ["worse", "mixed", "better", "not comparable", "same"];
+/** Those with a button of their own. */
+const changedQualities: string[] = ["worse", "mixed", "better"];
 
 export function changesView(app: App): View | null {
   const { comparison } = app.data;
@@ -50,7 +52,7 @@ export function changesView(app: App): View | null {
 }
 
 function isShown(cell: CellVerdict, wanted: string): boolean {
-  return wanted === "" || cell.verdict === wanted || (qualities.includes(wanted) && cell.quality.verdict === wanted);
+  return wanted === "" || cell.verdict === wanted || (changedQualities.includes(wanted) && cell.quality.verdict === wanted);
 }
 
 function resultElement(app: App, result: ComparisonResult): { element: HTMLElement; refresh(): void } {
@@ -110,7 +112,7 @@ function verdictButtons(app: App, cells: readonly CellVerdict[]): HTMLElement[] 
   return [
     button("", "compared"),
     ...verdicts.map((verdict) => button(verdict, verdict)),
-    ...qualities.map((quality) => button(quality, `${quality} quality`)),
+    ...changedQualities.map((quality) => button(quality, `${quality} quality`)),
   ];
 }
 
@@ -231,8 +233,17 @@ function verdictTooltip(app: App, cell: CellVerdict): HTMLElement {
   );
 }
 
-function qualityText(change: QualityChange): string {
-  return `${change.field} ${significant(change.base)} → ${significant(change.new)}`;
+/** The verdict with the change that weighs most; all of them when hovered over. */
+function qualityElement({ verdict, changes }: CellVerdict["quality"]): HTMLElement | string {
+  if (changes.length === 0) return verdict;
+  const decided = changes.filter((change) => change.decides).length;
+  const first = decided > 0 ? `: ${changes[0]!.text}` : "";
+  const more = decided > 1 ? `, and ${decided - 1} more` : "";
+  return h(
+    "span",
+    { class: `quality ${verdict}`, title: changes.map((change) => change.text).join("\n") },
+    `${verdict}${first}${more}`,
+  );
 }
 
 function verdictColumns(app: App): Column<CellVerdict>[] {
@@ -273,17 +284,8 @@ function verdictColumns(app: App): Column<CellVerdict>[] {
       id: "quality",
       title: "Quality",
       number: false,
-      key: (row) => (row.quality.verdict === "worse" ? 0 : row.quality.verdict === "better" ? 1 : 2),
-      content: (row) => {
-        const changes = row.quality.changes.filter((change) => change.worse || change.better);
-        return changes.length === 0
-          ? row.quality.verdict
-          : h(
-              "span",
-              { class: `quality ${row.quality.verdict}`, title: changes.map(qualityText).join("\n") },
-              `${row.quality.verdict}: ${qualityText(changes[0]!)}${changes.length > 1 ? `, and ${changes.length - 1} more` : ""}`,
-            );
-      },
+      key: (row) => qualities.indexOf(row.quality.verdict),
+      content: (row) => qualityElement(row.quality),
     },
     { id: "why", title: "Why", number: false, key: (row) => row.reason, content: (row) => row.reason },
   ];
@@ -328,7 +330,13 @@ function evidenceElement(result: ComparisonResult): HTMLElement {
     h(
       "p",
       {},
-      `A change counts from ${significant(100 * (result.threshold ?? 0), 2)} % on. The unit of evidence is the ${result.unit.replace(/s$/, "")}.`,
+      `A change of time counts from ${significant(100 * (result.threshold ?? 0), 2)} % on. The unit of evidence is the ${result.unit.replace(/s$/, "")}.`,
+    ),
+    h("p", {}, "Quality is better or worse where one of these changes by more than its tolerance:"),
+    h(
+      "ul",
+      {},
+      ...result.deciding_figures.map(({ figure, tolerance }) => h("li", {}, h("code", {}, figure), `: ${tolerance}`)),
     ),
     h(
       "table",

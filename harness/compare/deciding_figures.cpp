@@ -1,0 +1,70 @@
+#include "compare/deciding_figures.hpp"
+
+#include <cassert>
+#include <string_view>
+#include <utility>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr std::string_view footprint_part = ".footprint";
+
+/// Null for none.
+const FigureDeclaration* stand_in_of(const FigureDeclaration& figure) {
+    std::string path(figure.path);
+    const std::size_t at = path.find(footprint_part);
+    return at == std::string::npos ? nullptr : find_figure(path.erase(at, footprint_part.size()));
+}
+
+}  // namespace
+
+FigureTolerance tolerance_of(const FigureDeclaration& figure) {
+    // Per frame: small beside the errors themselves.
+    if (figure.path.starts_with("motion.") && figure.unit != "pixels") return {0.005, 0.05};
+    // On a scale that ends at 1, where a share of the value says little.
+    if (figure.unit.empty() && figure.better == Better::higher) return {0.005, 0};
+    if (figure.path.starts_with("image.") && figure.unit.empty()) return {0.002, 0.02};
+    if (figure.unit.starts_with("fraction")) return {0.001, 0};
+    if (figure.unit == "texels") return {0.05, 0.05};
+    if (figure.unit == "degrees") return {0.5, 0.05};
+    // 0.05 texels of a map of 256.
+    if (figure.unit == "patch sides") return {0.0002, 0.05};
+    if (figure.unit == "visibility") return {0.005, 0.05};
+    if (figure.unit == "dB") return {0.2, 0};
+    // Taps, steps, bytes, counts.
+    return {0, 0.01};
+}
+
+std::string DecidingFigure::name() const {
+    std::string text;
+    for (const FigureDeclaration* term : terms) {
+        if (!text.empty()) text += '+';
+        text += term->path;
+    }
+    return text;
+}
+
+DecidingFigure deciding_figure(std::vector<const FigureDeclaration*> terms) {
+    assert(!terms.empty());
+    DecidingFigure figure;
+    figure.tolerance = tolerance_of(*terms.front());
+    if (terms.size() == 1) figure.stand_in = stand_in_of(*terms.front());
+    figure.terms = std::move(terms);
+    return figure;
+}
+
+const std::vector<DecidingFigure>& default_deciding_figures() {
+    static const std::vector<DecidingFigure> figures = {
+        deciding_figure({find_figure("error.uv_texels.p99")}),
+        deciding_figure({find_figure("error.uv_texels.mean")}),
+        deciding_figure({find_figure("error.missed"), find_figure("error.false_hits")}),
+        deciding_figure({find_figure("image.footprint.flip")}),
+        deciding_figure({find_figure("error.shadow.mean")}),
+        deciding_figure({find_figure("motion.texels.mean")}),
+        deciding_figure({find_figure("motion.flip.mean")}),
+    };
+    return figures;
+}
+
+}  // namespace reliefbench

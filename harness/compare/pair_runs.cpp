@@ -1,0 +1,153 @@
+#include "compare/pair_runs.hpp"
+
+#include "compare/run_differences.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace reliefbench {
+
+namespace {
+
+/// Why the cell cannot be compared; empty when it can.
+std::optional<UncomparedCell> uncompared(const std::string& id, const SideCell* base, const SideCell* changed) {
+    if (changed == nullptr) return UncomparedCell{id, "only in the base"};
+    if (base == nullptr) return UncomparedCell{id, "only in the new runs"};
+    if (base->measured.empty() && changed->measured.empty()) {
+        return UncomparedCell{id, fmt::format("not measured on either side (base: {}; new: {})", unmeasured_text(*base),
+                                              unmeasured_text(*changed))};
+    }
+    if (base->measured.empty()) {
+        return UncomparedCell{id, fmt::format("measured now, but in the base {}", unmeasured_text(*base))};
+    }
+    if (changed->measured.empty()) {
+        const bool failed_now = changed->unmeasured->status == CellStatus::failed;
+        return UncomparedCell{id, fmt::format("measured in the base, but now {}", unmeasured_text(*changed)),
+                              failed_now};
+    }
+    const std::string difference =
+        subject_difference(*base->runs[0], *base->measured[0], *changed->runs[0], *changed->measured[0]);
+    if (!difference.empty()) return UncomparedCell{id, difference};
+    return std::nullopt;
+}
+
+QualityComparison compare_quality_of(const SideCell& base, const SideCell& changed,
+                                     std::span<const DecidingFigure> deciding) {
+    CellResult before = *base.measured[0];
+    CellResult after = *changed.measured[0];
+    const bool comparable_errors = same_truth(*base.runs[0], *changed.runs[0]);
+    if (!comparable_errors) before.error = after.error = std::nullopt;
+    if (!comparable_errors || !same_lighting(*base.runs[0], *changed.runs[0])) {
+        for (CellResult* side : {&before, &after}) {
+            side->image = std::nullopt;
+            if (!side->error) continue;
+            side->error->shadow = std::nullopt;
+            side->error->wrong_surface = std::nullopt;
+        }
+    }
+    if (!comparable_errors || !same_motion(*base.runs[0], *changed.runs[0])) {
+        before.motion = after.motion = std::nullopt;
+    } else if (!same_lighting(*base.runs[0], *changed.runs[0])) {
+        for (CellResult* side : {&before, &after}) {
+            if (side->motion) side->motion->flip = std::nullopt;
+        }
+    }
+    return compare_quality(before, after, deciding);
+}
+
+void pair_cells(const RunSide& base, const RunSide& changed, Comparison& comparison) {
+    const auto find = [](const RunSide& side, const std::string& id) {
+        const auto found = side.cells.find(id);
+        return found == side.cells.end() ? nullptr : &found->second;
+    };
+    std::vector<std::string> order = base.order;
+    for (const std::string& id : changed.order) {
+        if (!base.cells.contains(id)) order.push_back(id);
+    }
+    for (const std::string& id : order) {
+        const SideCell* before = find(base, id);
+        const SideCell* after = find(changed, id);
+        if (auto reason = uncompared(id, before, after)) {
+            comparison.uncompared.push_back(std::move(*reason));
+            continue;
+        }
+        CellComparison cell;
+        cell.cell = id;
+        cell.quality = compare_quality_of(*before, *after, comparison.deciding_figures);
+        comparison.cells.push_back(std::move(cell));
+    }
+}
+
+std::vector<std::string> notices_on_runs(std::span<const StoredRun> base, std::span<const StoredRun> changed) {
+    std::vector<std::string> notices = run_differences(base.front(), changed.front());
+    for (const auto& [runs, side] : {std::pair(base, "base"), std::pair(changed, "new")}) {
+        if (from_changed_tree(runs.front())) {
+            notices.push_back(
+                fmt::format("{} was made from a work tree with changes not committed", runs.front().name));
+        }
+        for (const StoredRun& run : runs.subspan(1)) {
+            const std::vector<std::string> differences = run_differences(runs.front(), run);
+            if (differences.empty()) continue;
+            notices.push_back(fmt::format("the {} runs differ among themselves: between {} and {}, {}", side,
+                                          runs.front().name, run.name, differences.front()));
+        }
+    }
+    return notices;
+}
+
+/// Figures that runs of an older version lack.
+std::vector<std::string> notices_on_stand_ins(const Comparison& comparison) {
+    std::map<std::pair<std::string, std::string>, std::size_t> cells;
+    for (const CellComparison& cell : comparison.cells) {
+        for (const StandIn& each : cell.quality.stand_ins)
+            ++cells[{each.figure, each.decided}];
+    }
+    std::vector<std::string> notices;
+    for (const auto& [names, count] : cells) {
+        notices.push_back(fmt::format("of {} of {} cells one side has no {}, so {} decides in its place", count,
+                                      comparison.cells.size(), names.first, names.second));
+    }
+    return notices;
+}
+
+Json side_record(std::span<const StoredRun> runs) {
+    const Json& run = runs.front().run.run;
+    Json json;
+    json["runs"] = Json::array();
+    for (const StoredRun& stored : runs) {
+        json["runs"].push_back(stored.name);
+    }
+    for (const char* part : {"device", "environment"}) {
+        json[part] = run.contains(part) ? run.at(part) : Json(nullptr);
+    }
+    return json;
+}
+
+}  // namespace
+
+Comparison pair_runs(const RunSide& base, const RunSide& changed, const std::vector<DecidingFigure>& deciding) {
+    Comparison comparison;
+    comparison.deciding_figures = deciding;
+    const std::string device = device_difference(base.runs.front(), changed.runs.front());
+    if (!device.empty()) comparison.notices.push_back("the devices differ: " + device);
+    pair_cells(base, changed, comparison);
+    for (std::vector<std::string> notices :
+         {notices_on_runs(base.runs, changed.runs), notices_on_stand_ins(comparison)})
+        std::move(notices.begin(), notices.end(), std::back_inserter(comparison.notices));
+    comparison.environment["base"] = side_record(base.runs);
+    comparison.environment["new"] = side_record(changed.runs);
+    return comparison;
+}
+
+Comparison compare_quality_of_runs(std::span<const StoredRun> base, std::span<const StoredRun> changed,
+                                   const std::vector<DecidingFigure>& deciding) {
+    Comparison comparison = pair_runs(gather_side(base, has_figures), gather_side(changed, has_figures), deciding);
+    comparison.quality_only = true;
+    return comparison;
+}
+
+}  // namespace reliefbench
