@@ -77,7 +77,8 @@ int main(int argc, char** argv) {
         "Environment: RELIEFBENCH_DEVICE, the device unless --device says otherwise; RELIEFBENCH_DATA_DIR, the folder\n"
         "  of techniques/, configs/ and harness/shaders/; RELIEFBENCH_STATE_DIR, where what `selfcheck` finds is "
         "kept;\n"
-        "  RELIEFBENCH_SHARE_DEVICE=1, as --share-device; RELIEFBENCH_MEMORY_MB, memory that a cell may take, in place of\n"
+        "  RELIEFBENCH_SHARE_DEVICE=1, as --share-device; RELIEFBENCH_MEMORY_MB, memory that a cell may take, in place "
+        "of\n"
         "  what is available; NO_COLOR, no colours.\n"
         "`reliefbench COMMAND --help` shows the options of a command and an example.\n");
     ChosenCommand chosen;

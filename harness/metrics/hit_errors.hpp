@@ -21,8 +21,8 @@ struct HitErrors {
     std::size_t compared = 0;
     /// Pixels of the footprint F.
     std::size_t footprint = 0;
-    /// Fractions of F: truth hits and technique does not; technique hits and truth does not. 0 when F is empty. Ties are
-    /// neither.
+    /// Fractions of F: truth hits and technique does not; technique hits and truth does not. 0 when F is empty. Ties
+    /// are neither.
     double missed = 0;
     double false_hits = 0;
     /// Fraction of F that the truth marks as ties, which take no part in any other figure here.

@@ -35,15 +35,15 @@ struct Landing {
 struct TruthMotion {
     /// By pixel of the first frame.
     Image<Landing> landings;
-    /// Truth hits in F of the first frame whose point the second does not show: hidden now, or out of F or the picture, or
-    /// a tie there.
+    /// Truth hits in F of the first frame whose point the second does not show: hidden now, or out of F or the picture,
+    /// or a tie there.
     std::size_t unseen = 0;
 };
 
-/// Follows each truth hit in F of the first frame that is no tie into the second, in double. A pixel there shows the same surface if
-/// it is in F, no tie, and its truth hit is within twice the distance of neighbouring truth hits around the pixel that the point
-/// comes from (on the nearer side, so that an edge does not count). The point is seen if the pixel nearest to where it
-/// lands shows the same surface.
+/// Follows each truth hit in F of the first frame that is no tie into the second, in double. A pixel there shows the
+/// same surface if it is in F, no tie, and its truth hit is within twice the distance of neighbouring truth hits around
+/// the pixel that the point comes from (on the nearer side, so that an edge does not count). The point is seen if the
+/// pixel nearest to where it lands shows the same surface.
 TruthMotion follow_truth(const TruthFrame& first, const TruthFrame& second, const Relief& relief);
 
 /// What a technique does between two frames that the truth does not.

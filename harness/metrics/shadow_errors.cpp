@@ -17,9 +17,8 @@ constexpr double wrong_by = 0.5;
 }  // namespace
 
 ShadowErrors compare_shadows(const VisibilityImage& technique, const HitImage& technique_hits,
-                             const VisibilityImage& truth, const HitImage& truth_hits,
-                             const FootprintImage& footprint, const HeightMap& map, const Relief& relief,
-                             const Lighting& lighting) {
+                             const VisibilityImage& truth, const HitImage& truth_hits, const FootprintImage& footprint,
+                             const HeightMap& map, const Relief& relief, const Lighting& lighting) {
     assert(technique.size == truth.size && technique_hits.size == truth.size && truth_hits.size == truth.size &&
            footprint.size == truth.size && lighting.lights.size() <= technique.texels.front().size());
     const Image<std::array<float, 2>> derivatives = height_derivatives(map);
@@ -29,7 +28,8 @@ ShadowErrors compare_shadows(const VisibilityImage& technique, const HitImage& t
     double sum = 0;
     for (std::size_t pixel = 0; pixel < truth.texels.size(); ++pixel) {
         const Hit& hit = truth_hits.texels[pixel];
-        if (footprint.texels[pixel] != in_footprint || !hit.is_hit() || !technique_hits.texels[pixel].is_hit()) continue;
+        if (footprint.texels[pixel] != in_footprint || !hit.is_hit() || !technique_hits.texels[pixel].is_hit())
+            continue;
         const glm::dvec3 normal = shading_normal(derivatives, relief, hit.u, hit.v);
         for (std::size_t light = 0; light < lighting.lights.size(); ++light) {
             if (glm::dot(normal, lighting.lights[light].direction) <= 0) continue;

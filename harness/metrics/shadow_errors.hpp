@@ -13,8 +13,9 @@ namespace reliefbench {
 /// How much of each light reaches each pixel's hit, by light; in [0, 1].
 using VisibilityImage = Image<std::array<float, 3>>;
 
-/// Of how much light a technique's shadows let through, against the truth's. Over the pixels of the footprint, but ties, in
-/// which both hit, and in each over the lights that the truth's shading normal faces: on others a shadow is not seen.
+/// Of how much light a technique's shadows let through, against the truth's. Over the pixels of the footprint, but
+/// ties, in which both hit, and in each over the lights that the truth's shading normal faces: on others a shadow is
+/// not seen.
 struct ShadowErrors {
     /// Mean of |visibility − true visibility|.
     double mean = 0;
@@ -26,8 +27,7 @@ struct ShadowErrors {
 };
 
 ShadowErrors compare_shadows(const VisibilityImage& technique, const HitImage& technique_hits,
-                             const VisibilityImage& truth, const HitImage& truth_hits,
-                             const FootprintImage& footprint, const HeightMap& map, const Relief& relief,
-                             const Lighting& lighting);
+                             const VisibilityImage& truth, const HitImage& truth_hits, const FootprintImage& footprint,
+                             const HeightMap& map, const Relief& relief, const Lighting& lighting);
 
 }  // namespace reliefbench

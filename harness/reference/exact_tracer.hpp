@@ -25,10 +25,10 @@ class ExactTracer {
 public:
     ExactTracer(const HeightMap& map, const Relief& relief);
 
-    /// The first point where the ray passes from above the sheet to below it; where it enters the relief over a height of
-    /// 1 (to entry_tolerance), that is the entry. Boundary::clip: the sheet is the unit
-    /// square only, and a ray that enters the slab through its side beneath the sheet hits where it next does so.
-    /// Boundary::repeat: the sheet goes on for ever. Rays that do not descend miss.
+    /// The first point where the ray passes from above the sheet to below it; where it enters the relief over a height
+    /// of 1 (to entry_tolerance), that is the entry. Boundary::clip: the sheet is the unit square only, and a ray that
+    /// enters the slab through its side beneath the sheet hits where it next does so. Boundary::repeat: the sheet goes
+    /// on for ever. Rays that do not descend miss.
     std::optional<ExactHit> trace(const Ray& ray) const;
 
 private:

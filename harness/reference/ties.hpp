@@ -18,8 +18,9 @@ class TieFinder {
 public:
     TieFinder(const HeightMap& map, const Relief& relief, const ExactTracer& tracer);
 
-    /// Whether the ray, shifted by ±tie_shift_texels in u or in v, hits where it did not, or misses where it did, or hits
-    /// more than tie_jump_texels from where it did. Costs as much as tracing two rays, and seven where it is close.
+    /// Whether the ray, shifted by ±tie_shift_texels in u or in v, hits where it did not, or misses where it did, or
+    /// hits more than tie_jump_texels from where it did. Costs as much as tracing two rays, and seven where it is
+    /// close.
     bool is_tie(const Ray& ray) const;
 
 private:

@@ -20,8 +20,8 @@ struct Hit {
 
 using HitImage = Image<Hit>;
 
-/// By pixel, whether it lies in the footprint F (docs/architecture.md): 0 outside; `in_footprint`; or `tie_in_footprint`
-/// where the smallest shift of the ray gives another hit, so that no answer there is right or wrong.
+/// By pixel, whether it lies in the footprint F (docs/architecture.md): 0 outside; `in_footprint`; or
+/// `tie_in_footprint` where the smallest shift of the ray gives another hit, so that no answer there is right or wrong.
 using FootprintImage = Image<std::uint8_t>;
 constexpr std::uint8_t in_footprint = 1;
 constexpr std::uint8_t tie_in_footprint = 2;

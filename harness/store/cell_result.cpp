@@ -207,8 +207,8 @@ CellResult::ShadowErrors read_shadow_errors(const JsonView& view) {
 }
 
 CellResult::Errors read_errors(const JsonView& view) {
-    view.require_only({"uv_texels", "depth", "normal_deg", "compared", "missed", "false_hits", "ties",
-                       "outside_quad", "coverage_iou", "shadow", "wrong_surface"});
+    view.require_only({"uv_texels", "depth", "normal_deg", "compared", "missed", "false_hits", "ties", "outside_quad",
+                       "coverage_iou", "shadow", "wrong_surface"});
     const JsonView outside_quad = view.at("outside_quad");
     outside_quad.require_only({"pixels", "covered"});
     CellResult::Errors errors;

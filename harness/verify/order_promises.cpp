@@ -197,8 +197,8 @@ Finding judge_first_order(const CheckList& list, const PromiseDeclaration& decla
     std::vector<SampledError> all = doublings;
     all.insert(all.end(), halvings.begin(), halvings.end());
     const SampledError& farthest = *std::ranges::max_element(all, by_steps);
-    text += fmt::format("; must halve, floor {:.2g}; largest error {:.3g} steps (bound {:g})",
-                        doublings.back().floor, farthest.largest_in_steps, declaration.within);
+    text += fmt::format("; must halve, floor {:.2g}; largest error {:.3g} steps (bound {:g})", doublings.back().floor,
+                        farthest.largest_in_steps, declaration.within);
     if (farthest.largest_in_steps > declaration.within) return failure(list, declaration, text, farthest);
     for (const auto& [by, series] : {std::pair("samples", &doublings), std::pair("halvings", &halvings)}) {
         if (series->empty()) continue;

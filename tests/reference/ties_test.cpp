@@ -79,9 +79,7 @@ TEST_F(EdgeOfAPlateau, ARayThatEntersThereHasHit) {
 TEST_F(EdgeOfAPlateau, IsATieAndNothingElseIs) {
     const ExactTracer tracer(map_, relief_);
     const TieFinder ties(map_, relief_, tracer);
-    const auto is_tie = [&](double texels_from_edge) {
-        return ties.is_tie(ray_at(edge_ + texels_from_edge / 16));
-    };
+    const auto is_tie = [&](double texels_from_edge) { return ties.is_tie(ray_at(edge_ + texels_from_edge / 16)); };
     EXPECT_TRUE(is_tie(0));
     EXPECT_TRUE(is_tie(0.9e-4));
     EXPECT_TRUE(is_tie(-0.9e-4));

@@ -161,16 +161,13 @@ TEST(Table, AnAxisThatMovesNoHitsHasItsValuesBelowEachOtherWithWhatShadowsCost) 
         lines_of(format_table({shadowed("slow", "off", 3), shadowed("fast", "off", 1), shadowed("slow", "hard", 5),
                                shadowed("fast", "hard", 4), shadowed("slow", "soft", 4), shadowed("fast", "soft", 2)}));
     EXPECT_EQ(lines[0], "heightmap=bricks");
-    EXPECT_EQ(
-        lines[1],
-        "                                 ms  taps  uv p99   flip  missed %  false %  shadow taps  shadow");
+    EXPECT_EQ(lines[1],
+              "                                 ms  taps  uv p99   flip  missed %  false %  shadow taps  shadow");
     EXPECT_EQ(lines[2], "  fast");
-    EXPECT_EQ(
-        lines[3],
-        "*   self_shadow=off   1.000 ± 0.012  17.5    1.00  0.125         0        0            -       -");
-    EXPECT_EQ(
-        lines[4],
-        "*   self_shadow=hard  4.000 ± 0.012  17.5    1.00  0.125         0        0         21.5  0.0625");
+    EXPECT_EQ(lines[3],
+              "*   self_shadow=off   1.000 ± 0.012  17.5    1.00  0.125         0        0            -       -");
+    EXPECT_EQ(lines[4],
+              "*   self_shadow=hard  4.000 ± 0.012  17.5    1.00  0.125         0        0         21.5  0.0625");
     EXPECT_THAT(lines[5], testing::StartsWith("*   self_shadow=soft  2.000"));
     EXPECT_EQ(lines[6], "  slow");
     // Ranked among those with the same shadows.
