@@ -61,7 +61,7 @@ vec4 previous_level(ivec2 texel) { return texelFetch(previous_map, clamp(texel, 
 void main() {
     RELIEFBENCH_TEXEL texel = this_texel();
 #ifdef RELIEFBENCH_PROBED
-    // Cut until it has come to its end, as in begin_search().
+    // Cut until it has come to its end, as in count_begin().
     atomicAdd(work.stage_cuts, 1u);
 #endif
     if (all(lessThan(texel, map_size()))) prepare(texel);

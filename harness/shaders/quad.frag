@@ -34,7 +34,7 @@ void main() {
                               uv_dy, footprint_level(uv_dx, uv_dy));
     float fade = lod_fade_at(ray, view.entry_t);
 #ifdef RELIEFBENCH_PROBED
-    begin_search(scene.resolution, gl_FragCoord.xy);
+    count_begin(scene.resolution, gl_FragCoord.xy);
 #endif
     Trace found = trace_faded(ray, fade);
 #ifdef RELIEFBENCH_PROBED
@@ -67,13 +67,13 @@ void main() {
 #endif
 #ifdef RELIEFBENCH_PROBED
     // The searches of its shadows are this invocation's, too.
-    begin_search(scene.resolution, gl_FragCoord.xy);
+    count_begin(scene.resolution, gl_FragCoord.xy);
 #endif
     // The polygon has no shadows; those of the relief fade with it.
     vec3 visibility = vec3(1.0);
     if (!found.flat_normal && fade < 1.0) visibility = mix(light_visibility(hit.xy, ray), visibility, fade);
 #ifdef RELIEFBENCH_PROBED
-    end_search(scene.resolution, gl_FragCoord.xy);
+    count_end(scene.resolution, gl_FragCoord.xy);
 #endif
     write_surface(hit, view.direction, found.flat_normal, visibility);
 }

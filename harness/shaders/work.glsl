@@ -11,11 +11,11 @@ int work_index(ivec2 resolution, vec2 fragment) { return int(fragment.y) * resol
 
 // Around each search of a fragment. Its loops count as cut until it has come to its end: of a loop that has no way out a
 // compiler drops what comes after.
-void begin_search(ivec2 resolution, vec2 fragment) {
+void count_begin(ivec2 resolution, vec2 fragment) {
     atomicOr(work.pixels[work_index(resolution, fragment)].w, cut_bit);
 }
 
-void end_search(ivec2 resolution, vec2 fragment) {
+void count_end(ivec2 resolution, vec2 fragment) {
     if (!loops_are_cut()) atomicAnd(work.pixels[work_index(resolution, fragment)].w, ~cut_bit);
 }
 #endif
@@ -29,7 +29,7 @@ void count_pixel(ivec2 resolution, vec2 fragment, int steps, bool converged) {
     if ((work.pixels[index].w & fault_mask) == 0u) atomicAdd(work.pixels[index].z, uint(steps));
     atomicAdd(work.pixels[index].w, converged ? 0u : 1u);
     atomicOr(work.pixels[index].w, covered_bit);
-    end_search(resolution, fragment);
+    count_end(resolution, fragment);
     counted_taps = 0u;
     counted_texels = 0u;
 #endif
