@@ -1,5 +1,6 @@
 #include "report/advice.hpp"
 
+#include "compare/deciding_figures.hpp"
 #include "core/error.hpp"
 #include "report/quality_cost.hpp"
 
@@ -22,20 +23,9 @@ bool is_error(const FigureDeclaration& figure) {
     return figure.path.starts_with("error.") || figure.path.starts_with("image.") || figure.path.starts_with("motion.");
 }
 
-/// Differences of errors that nobody sees, or that mean nothing; both must be exceeded.
-struct Tolerance {
-    double absolute = 0;
-    double relative = 0;
-};
-
-Tolerance tolerance_of(const FigureDeclaration& figure) {
-    if (figure.path.find("flip") != std::string_view::npos) return {0.002, 0.02};
-    if (figure.path.starts_with("error.uv_texels")) return {0.05, 0.05};
-    return {0.005, 0.05};
-}
-
-bool can_be_told_apart(double a, double b, const Tolerance& tolerance) {
+bool can_be_told_apart(double a, double b, const FigureTolerance& tolerance) {
     const double difference = std::abs(a - b);
+    if (std::isinf(difference)) return true;
     return difference > tolerance.absolute && difference > tolerance.relative * std::max(std::abs(a), std::abs(b));
 }
 

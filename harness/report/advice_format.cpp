@@ -145,7 +145,9 @@ std::vector<std::string> remarks(const Advice& advice, const ViewAdvice& view) {
                                     counted(count, "setting"), more));
     }
     if (budget_of(advice.request) != nullptr && view.next_better.empty() && (view.best || view.nearest)) {
-        lines.emplace_back("nothing beyond the budget is better and keeps to the other limits");
+        const bool others = advice.request.limits.size() > 1;
+        lines.push_back(std::string("nothing beyond the budget is better") +
+                        (others ? " and keeps to the other limits" : ""));
     }
     if (view.wrong > 0) {
         const std::string within = view.wrong_within_limits > 0

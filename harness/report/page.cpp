@@ -1,5 +1,6 @@
 #include "report/page.hpp"
 
+#include "compare/deciding_figures.hpp"
 #include "core/error.hpp"
 #include "report/page_cells.hpp"
 #include "report/page_comparison.hpp"
@@ -75,13 +76,23 @@ Json comparison_to_page(const PageComparison& comparison, const std::vector<Page
     return json;
 }
 
+/// With the changes that can be told, by which verdicts decide.
+Json figures_to_page() {
+    Json list = figures_to_json();
+    for (std::size_t at = 0; at < figures().size(); ++at) {
+        const FigureTolerance tolerance = tolerance_of(figures()[at]);
+        list[at]["tolerance"] = {{"absolute", tolerance.absolute}, {"relative", tolerance.relative}};
+    }
+    return list;
+}
+
 }  // namespace
 
 Json page_data(const std::vector<PageRun>& runs, const Json& pictures, const std::optional<PageComparison>& comparison,
                std::string_view tool_version) {
     Json json;
     json["tool_version"] = tool_version;
-    json["figures"] = figures_to_json();
+    json["figures"] = figures_to_page();
     json["runs"] = Json::array();
     for (const PageRun& run : runs) {
         json["runs"].push_back(run_to_json(run));

@@ -32,8 +32,8 @@ export interface Advice {
   /** Others within the limits that cannot be told apart from the winner by what was asked for. */
   asGood: Candidate[];
   /**
-   * With a budget: settings beyond it by ascending cost, the first told to be better than the least error within it (where
-   * nothing is within: than the nearest), each of the others than the one before.
+   * With a budget: settings beyond it that keep to the other limits, by ascending cost: the first told to be better than
+   * the least error within it (where there is none: than the nearest, if that keeps to them), the others than the one before.
    */
   beyond: Candidate[];
   /** Where nothing keeps to the limits: the one whose largest ratio of a figure to its limit is the least. */
@@ -103,17 +103,10 @@ export function candidates(
   return { all, incomplete };
 }
 
-/** Two values differ when they do so by more than both, the relative one of the larger. */
-function tolerance(error: Metric): { absolute: number; relative: number } {
-  if (/\bflip\b/.test(error.id)) return { absolute: 0.002, relative: 0.02 };
-  if (error.unit === "texels") return { absolute: 0.05, relative: 0.05 };
-  return { absolute: 0.005, relative: 0.05 };
-}
-
-/** Whether `a` can be told to be better than `b`. */
+/** Whether `a` can be told to be better than `b`: by more than both, the relative one of the larger. */
 export function tellsBetter(error: Metric, a: number, b: number): boolean {
   if (advantage(error.better, a, b) <= 0) return false;
-  const { absolute, relative } = tolerance(error);
+  const { absolute, relative } = error.tolerance;
   const difference = Math.abs(a - b);
   return (
     difference === Infinity || (difference > absolute && difference > relative * Math.max(Math.abs(a), Math.abs(b)))
@@ -167,11 +160,15 @@ function stepsBeyond(
 ): Candidate[] {
   const budget = budgetOf(question);
   if (budget === null) return [];
-  let before = counted.filter((point) => keeps(budget, point.cost)).sort(byError)[0] ?? nearest;
+  const keepsOthers = (point: Candidate) =>
+    question.limits.every((limit, at) => limit === budget || keeps(limit, point.limited[at]!));
+  const keeping = counted.filter(keepsOthers);
+  let before = keeping.filter((point) => keeps(budget, point.cost)).sort(byError)[0] ?? null;
+  if (nearest !== null && keepsOthers(nearest)) before = nearest;
   const steps: Candidate[] = [];
-  for (const point of counted.filter(({ cost }) => !keeps(budget, cost)).sort(byCost)) {
+  for (const point of keeping.filter(({ cost }) => !keeps(budget, cost)).sort(byCost)) {
     if (steps.length === mostSteps) break;
-    if (before === null || !tellsBetter(question.error, point.error, before.error)) continue;
+    if (before !== null && !tellsBetter(question.error, point.error, before.error)) continue;
     steps.push(point);
     before = point;
   }

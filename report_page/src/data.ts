@@ -126,6 +126,13 @@ export interface Figure {
   /** Empty for pure numbers. */
   unit: string;
   better: "lower" | "higher" | "neither";
+  /** What a change must exceed, in the unit and of the larger value, to be one that can be told. */
+  tolerance: Tolerance;
+}
+
+export interface Tolerance {
+  absolute: number;
+  relative: number;
 }
 
 export interface PageData {

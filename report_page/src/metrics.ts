@@ -1,6 +1,6 @@
 // Figures of cells as costs and errors: label, unit and direction are those of the page's list of figures.
 
-import { type Cells, type Figure, hasFigure, numberOf } from "./data.ts";
+import { type Cells, type Figure, hasFigure, numberOf, type Tolerance } from "./data.ts";
 import { bytesText, figureText } from "./numbers.ts";
 
 /** Missed and false hits above this fraction of the footprint: discarding hard pixels wins nothing. */
@@ -15,6 +15,8 @@ export interface Metric {
   unit: string;
   better: Better;
   role: "cost" | "error";
+  /** In the unit. */
+  tolerance: Tolerance;
   /** In the unit. Infinite for the PSNR of pictures that are equal. */
   of(cells: Cells, cell: number): number | null;
 }
@@ -38,7 +40,7 @@ function valueOf(cells: Cells, path: string, cell: number): number | null {
 }
 
 /** By cell, in the unit that `shownUnit` gives. */
-export function shownFigure(cells: Cells, figure: Figure): (cell: number) => number | null {
+export function shownFigure(cells: Cells, figure: Pick<Figure, "path" | "unit">): (cell: number) => number | null {
   const scale = shownScale(figure.unit);
   return (cell) => {
     const value = valueOf(cells, figure.path, cell);
@@ -58,6 +60,7 @@ function metricOf(figure: Figure, better: Better): Metric {
     unit: shownUnit(figure.unit),
     better,
     role: isCost(figure) ? "cost" : "error",
+    tolerance: { ...figure.tolerance, absolute: shownScale(figure.unit) * figure.tolerance.absolute },
     of: (cells, cell) => shownFigure(cells, figure)(cell),
   };
 }
@@ -81,6 +84,7 @@ export const wrongHitsMetric: Metric = {
   unit: "% of footprint",
   better: "lower",
   role: "error",
+  tolerance: { absolute: 0.1, relative: 0 },
   of(cells, cell) {
     const wrong = wrongHits(cells, cell);
     return wrong === null ? null : 100 * wrong;

@@ -104,7 +104,10 @@ test("beyond the budget stand the next better steps, each told to be better than
   );
   const both = answer(steps, budget(200), uv(0.5));
   assert.deepEqual([both.winner, both.nearest], [null, "qdm 4"]);
-  assert.deepEqual(both.beyond, ["qdm 4", "exact 1"], "better than all that the budget buys");
+  assert.deepEqual(both.beyond, ["exact 1"], "from the nearest, which keeps to the other limit");
+  const strict = answer(steps, budget(189), uv(9.9));
+  assert.equal(strict.nearest, "pom 16");
+  assert.deepEqual(strict.beyond, ["qdm 4", "exact 1"], "the cheapest that keeps to the other limit first");
 });
 
 test("settings that cannot be told apart are named, and of those with the least error the cheapest is advised", () => {

@@ -45,7 +45,13 @@ export function cellsOf(rows: SampleCell[]): Cells {
 }
 
 function figure(path: string, label: string, unit: string, better: Figure["better"] = "lower"): Figure {
-  return { path, label, unit, better };
+  const tolerance =
+    unit === "texels"
+      ? { absolute: 0.05, relative: 0.05 }
+      : /flip/.test(path)
+        ? { absolute: 0.002, relative: 0.02 }
+        : { absolute: 0.005, relative: 0.05 };
+  return { path, label, unit, better, tolerance };
 }
 
 /** Some of those that the page's data list. */

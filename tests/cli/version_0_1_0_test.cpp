@@ -92,6 +92,13 @@ TEST_F(Version010, ARunIsExported) {
     }
 }
 
+/// It has no image errors over the footprint.
+TEST_F(Version010, ARunGivesAdvice) {
+    EXPECT_THAT(succeed({"advise", fixture("all"), "--budget", "5ms"}).out,
+                AllOf(HasSubstr("view_angle=60 projection=parallel"), HasSubstr("FLIP, whole picture"),
+                      HasSubstr("relief beyond the quad counts")));
+}
+
 TEST_F(Version010, ARunIsPlotted) {
     succeed({"export", fixture("all"), "--format", "csv", "-o", path("all.csv")});
     const std::string command = std::string("/usr/bin/python3 ") + RELIEFBENCH_SOURCE_DIR + "/scripts/plot.py pareto " +

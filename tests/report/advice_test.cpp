@@ -197,6 +197,9 @@ TEST(Advice, MoreIsBetterWhereTheFigureSaysSo) {
     const FigureDeclaration* ssim = find_figure("image.footprint.ssim");
     EXPECT_EQ(name(advise(changed, {{{ssim, 0.95}}, ssim}).views.front().best), "b");
     EXPECT_EQ(name(advise(changed, {{budget(5)}, ssim}).views.front().best), "b");
+    changed[1].image->footprint->rmse = 0;
+    EXPECT_EQ(name(advise(changed, {{budget(5)}, find_figure("image.footprint.psnr")}).views.front().best), "b")
+        << "without an error its PSNR is infinite";
     EXPECT_THAT(format_advice(advise(changed, {{{ssim, 0.99}}, ssim}), AdviceFormat::table, 100),
                 AllOf(HasSubstr("at least 0.99"), HasSubstr("nothing does that")));
 }

@@ -236,7 +236,15 @@ TEST(Page, HoldsRunsWithAllThatIsKnownOfThem) {
     failed.failure = "another device";
     const Json json = page_data({run}, Json::array(), failed, "1.2.3");
     EXPECT_EQ(json.at("tool_version"), "1.2.3");
-    EXPECT_EQ(json.at("figures"), figures_to_json());
+    ASSERT_EQ(json.at("figures").size(), figures().size());
+    for (Json figure : json.at("figures")) {
+        EXPECT_TRUE(figure.at("tolerance").at("relative").is_number());
+        if (figure.at("path") == "image.footprint.flip") {
+            EXPECT_EQ(figure.at("tolerance").at("absolute"), 0.002);
+        }
+        figure.erase("tolerance");
+        EXPECT_THAT(figures_to_json(), testing::Contains(figure));
+    }
     EXPECT_EQ(json.at("runs").at(0).at("record").at("device").at("name"), "llvmpipe");
     EXPECT_TRUE(json.at("runs").at(0).at("summary").is_null());
     EXPECT_EQ(json.at("runs").at(0).at("pictures").at("maps").at("error"), Json({2, -1, -1}));

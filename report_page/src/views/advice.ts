@@ -103,7 +103,7 @@ export function adviceView(app: App): View {
       h(
         "span",
         {},
-        "With a budget alone the best within it is advised, or the cheapest of those that are as good; with a limit on an error the cheapest that keeps to all limits. Times are as good as equal where their 95 % intervals overlap; errors are within 0.002 or 2 % (FLIP), 0.05 texels or 5 % (UV), 0.005 or 5 % (others).",
+        "With a budget alone the best within it is advised, or the cheapest of those that are as good; with a limit on an error the cheapest that keeps to all limits. Times are as good as equal where their 95 % intervals overlap; errors where they differ by less than verdicts of quality ask for (FLIP: 0.002 or 2 %; UV: 0.05 texels or 5 %).",
       ),
     ),
   );
@@ -315,7 +315,8 @@ function asGoodElement(app: App, asGood: Candidate[], { cost, error }: Question)
 function beyondElement(app: App, advice: Advice, question: Question): HTMLElement | null {
   if ((advice.winner ?? advice.nearest) === null || budgetOf(question) === null) return null;
   if (advice.beyond.length === 0) {
-    return h("p", { class: "beyond" }, "Beyond the budget nothing is better.");
+    const others = question.limits.length > 1 ? " and keeps to the other limits" : "";
+    return h("p", { class: "beyond" }, `Beyond the budget nothing is better${others}.`);
   }
   return h(
     "div",

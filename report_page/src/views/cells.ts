@@ -1,7 +1,7 @@
 // Every cell in a table that sorts and filters.
 
 import type { App, View } from "../app.ts";
-import { type Figure, hasFigure, reasonOf, settingOf, statusOf, techniqueOf, viewOf } from "../data.ts";
+import { hasFigure, reasonOf, settingOf, statusOf, techniqueOf, viewOf } from "../data.ts";
 import { settingElement } from "../describe.ts";
 import { fill, h } from "../dom.ts";
 import { metricTitle, shownFigure, shownUnit } from "../metrics.ts";
@@ -34,7 +34,7 @@ interface FigureColumn extends Column<number> {
 function figureColumn(app: App, path: string, title: string): FigureColumn {
   const { cells } = app.run();
   const declared = app.data.figures.find((figure) => figure.path === path);
-  const figure: Figure = declared ?? { path, label: path, unit: "", better: "neither" };
+  const figure = declared ?? { path, label: path, unit: "" };
   const of = shownFigure(cells, figure);
   const metric = { label: figure.label, unit: shownUnit(figure.unit) };
   return {
