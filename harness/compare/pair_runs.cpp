@@ -114,6 +114,26 @@ std::vector<std::string> notices_on_stand_ins(const Comparison& comparison) {
     return notices;
 }
 
+/// Where the truth found ties on one side and runs of the other knew none, errors are of different pixels.
+std::optional<std::string> notice_on_ties(const RunSide& base, const RunSide& changed, const Comparison& comparison) {
+    const auto ties = [](const SideCell& cell) {
+        const auto& error = cell.measured[0]->error;
+        return error ? error->ties : std::nullopt;
+    };
+    std::size_t cells = 0;
+    for (const CellComparison& cell : comparison.cells) {
+        const auto before = ties(base.cells.at(cell.cell));
+        const auto after = ties(changed.cells.at(cell.cell));
+        cells += before.has_value() != after.has_value() && before.value_or(0) + after.value_or(0) > 0 ? 1 : 0;
+    }
+    if (cells == 0) return std::nullopt;
+    return fmt::format(
+        "of {} of {} cells the errors of one side count ties (error.ties), which runs of an older version did not "
+        "know: "
+        "what is better or worse in them may be that and nothing else",
+        cells, comparison.cells.size());
+}
+
 Json side_record(std::span<const StoredRun> runs) {
     const Json& run = runs.front().run.run;
     Json json;
@@ -138,6 +158,7 @@ Comparison pair_runs(const RunSide& base, const RunSide& changed, const std::vec
     for (std::vector<std::string> notices :
          {notices_on_runs(base.runs, changed.runs), notices_on_stand_ins(comparison)})
         std::move(notices.begin(), notices.end(), std::back_inserter(comparison.notices));
+    if (auto notice = notice_on_ties(base, changed, comparison)) comparison.notices.push_back(std::move(*notice));
     comparison.environment["base"] = side_record(base.runs);
     comparison.environment["new"] = side_record(changed.runs);
     return comparison;

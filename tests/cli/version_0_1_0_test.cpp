@@ -123,6 +123,10 @@ TEST_F(Version010, ARunIsRepeatedFromItsRecord) {
         return found;
     };
     EXPECT_EQ(ids(path("again/cells.jsonl")), ids(fixture("all/cells.jsonl")));
+    const Outcome quality = reliefbench({"compare", "--quality", fixture("all"), path("again")});
+    EXPECT_THAT(quality.out,
+                AllOf(HasSubstr("one side has no image.footprint.flip, so image.flip decides in its place"),
+                      HasSubstr(" better, "), Not(HasSubstr("not comparable"))));
 }
 
 /// One of each kind, written by the page that described the contract then.

@@ -334,6 +334,16 @@ TEST(CompareRuns, AFigureOfAnOlderVersionStandsInAndThatIsSaid) {
                 testing::Not(Contains(HasSubstr("decides in its place"))));
 }
 
+TEST(CompareRuns, TiesThatOneSideDidNotKnowAreANotice) {
+    const CellResult before = cell_result("c", 1);
+    CellResult after = before;
+    after.error->ties = 0;
+    const auto notices = [&] { return compare_one(one_run("base", {before}), one_run("new", {after})).notices; };
+    EXPECT_THAT(notices(), testing::Not(Contains(HasSubstr("error.ties"))));
+    after.error->ties = 0.02;
+    EXPECT_THAT(notices(), Contains(HasSubstr("of 1 of 1 cells the errors of one side count ties")));
+}
+
 TEST(CompareRuns, AChangedPreparationTimeIsANotice) {
     const auto with_preparation = [](const std::string& name, double ms) {
         std::vector<StoredRun> runs = repeated(name, {1, 1, 1});
