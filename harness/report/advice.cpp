@@ -19,10 +19,6 @@ constexpr std::size_t next_steps = 3;
 /// Axes that whoever asks does not choose: which material is seen, and from which side.
 constexpr std::string_view pooled_axes[] = {"heightmap", "azimuth"};
 
-bool is_error(const FigureDeclaration& figure) {
-    return figure.path.starts_with("error.") || figure.path.starts_with("image.") || figure.path.starts_with("motion.");
-}
-
 bool can_be_told_apart(double a, double b, const FigureTolerance& tolerance) {
     const double difference = std::abs(a - b);
     if (std::isinf(difference)) return true;

@@ -18,35 +18,43 @@ namespace {
 
 constexpr const char* undefined = "-";
 
-std::optional<double> draw_ms(const CellResult& cell) {
-    const PassTiming* const draw = draw_timing(cell);
-    if (draw == nullptr) return std::nullopt;
-    return draw->median_ms;
+/// What the Pareto front weighs against each other.
+const FigureDeclaration& front_cost() {
+    static const FigureDeclaration& figure = *find_figure("time.draw.median_ms");
+    return figure;
+}
+const FigureDeclaration& front_quality() {
+    static const FigureDeclaration& figure = *find_figure("error.uv_texels.p99");
+    return figure;
 }
 
 double sorting_ms(const CellResult& cell) {
-    return draw_ms(cell).value_or(std::numeric_limits<double>::infinity());
+    return front_cost().value(cell).value_or(std::numeric_limits<double>::infinity());
 }
 
-/// What the Pareto front weighs against time; empty where there is nothing to rank by.
-std::optional<double> quality(const CellResult& cell) {
-    if (!hits_within_limit(cell) || !cell.error->uv_texels || !draw_ms(cell)) return std::nullopt;
-    return cell.error->uv_texels->p99;
+/// Whether the cell takes part in the front.
+bool is_ranked(const CellResult& cell) {
+    return hits_within_limit(cell) && front_quality().value(cell) && front_cost().value(cell);
 }
 
+/// Both are ranked.
 bool dominates(const CellResult& other, const CellResult& cell) {
-    if (!quality(other)) return false;
-    const double ms = *draw_ms(cell);
-    const double other_ms = *draw_ms(other);
-    return other_ms <= ms && *quality(other) <= *quality(cell) && (other_ms < ms || *quality(other) < *quality(cell));
+    bool better = false;
+    for (const FigureDeclaration* figure : {&front_cost(), &front_quality()}) {
+        const double theirs = *figure->value(other);
+        const double its_own = *figure->value(cell);
+        if (is_better(its_own, theirs, figure->better)) return false;
+        better = better || is_better(theirs, its_own, figure->better);
+    }
+    return better;
 }
 
 char mark_of(const QualityCostRow& row, const std::vector<QualityCostRow>& rows) {
     const CellResult& cell = *row.cell;
     if (cell.error && !hits_within_limit(cell)) return '!';
-    if (!quality(cell)) return ' ';
+    if (!is_ranked(cell)) return ' ';
     const bool dominated = std::any_of(rows.begin(), rows.end(), [&](const QualityCostRow& other) {
-        return other.variant == row.variant && dominates(*other.cell, cell);
+        return other.variant == row.variant && is_ranked(*other.cell) && dominates(*other.cell, cell);
     });
     return dominated ? ' ' : '*';
 }
@@ -61,22 +69,6 @@ std::string format_timing(const CellResult& cell) {
     if (ms.find('e') != std::string::npos) return ms + " ± " + significant(draw->mad_ms, 2);
     const std::size_t decimals = point == std::string::npos ? 0 : ms.size() - point - 1;
     return fmt::format("{} ± {:.{}f}", ms, draw->mad_ms, decimals);
-}
-
-QualityCostFigure figure(const std::optional<double>& value) {
-    return {value ? significant(*value) : undefined, value};
-}
-
-/// A member of what may be missing altogether.
-template <typename Fields>
-std::optional<double> member(const std::optional<Fields>& fields, double Fields::*value) {
-    if (!fields) return std::nullopt;
-    return (*fields).*value;
-}
-
-std::optional<double> percent(const std::optional<double>& fraction) {
-    if (!fraction) return std::nullopt;
-    return 100 * *fraction;
 }
 
 /// Figures that only some runs have.
@@ -94,36 +86,37 @@ OptionalColumns optional_columns(const std::vector<CellResult>& cells) {
     return columns;
 }
 
-std::vector<QualityCostColumn> columns_of(const OptionalColumns& with) {
-    std::vector<QualityCostColumn> columns = {
-        {"ms", false},    {"ns/pixel", false}, {"taps", false}, {"prep ms", false}, {"uv p50", true},
-        {"uv p99", true}, {"depth p99", true}, {"flip", true},  {"missed %", true}, {"false %", true}};
-    if (with.shadow) columns.insert(columns.end(), {{"shadow taps", false}, {"shadow", true}});
-    if (with.motion) columns.push_back({"motion", true});
+std::vector<QualityCostColumn> columns_of(RankingFlip flip, const OptionalColumns& with) {
+    std::vector<QualityCostColumn> columns = {{"ms", &front_cost()},
+                                              {"ns/pixel", find_figure("time.ns_per_pixel")},
+                                              {"taps", find_figure("work.taps_mean")},
+                                              {"prep ms", find_figure("prepare.ms")},
+                                              {"uv p50", find_figure("error.uv_texels.p50")},
+                                              {"uv p99", &front_quality()},
+                                              {"depth p99", find_figure("error.depth.p99")},
+                                              {"flip", find_figure(path_of(flip))},
+                                              {"missed %", find_figure("error.missed")},
+                                              {"false %", find_figure("error.false_hits")}};
+    if (with.shadow) {
+        columns.push_back({"shadow taps", find_figure("work.shadow_taps_mean")});
+        columns.push_back({"shadow", find_figure("error.shadow.mean")});
+    }
+    if (with.motion) columns.push_back({"motion", find_figure("motion.texels.mean")});
     return columns;
 }
 
-/// In the order of the columns.
-std::vector<QualityCostFigure> figures_of(const CellResult& cell, RankingFlip flip, const OptionalColumns& with) {
-    using Errors = CellResult::Errors;
-    const Errors error = cell.error.value_or(Errors());
-    std::vector<QualityCostFigure> figures = {{format_timing(cell), draw_ms(cell)},
-                                              figure(cell.ns_per_pixel),
-                                              figure(member(cell.work, &CellResult::Work::taps_mean)),
-                                              figure(cell.prepare_ms),
-                                              figure(member(error.uv_texels, &Summary::p50)),
-                                              figure(member(error.uv_texels, &Summary::p99)),
-                                              figure(member(error.depth, &Summary::p99)),
-                                              figure(flip_of(cell, flip)),
-                                              figure(percent(member(cell.error, &Errors::missed))),
-                                              figure(percent(member(cell.error, &Errors::false_hits)))};
-    if (with.shadow) {
-        figures.push_back(figure(cell.work ? cell.work->shadow_taps_mean : std::nullopt));
-        figures.push_back(figure(member(error.shadow, &CellResult::ShadowErrors::mean)));
-    }
-    if (with.motion) {
-        const auto motion = cell.motion ? cell.motion->texels : std::nullopt;
-        figures.push_back(figure(member(motion, &CellResult::MotionFigure::mean)));
+/// Fractions per cent.
+QualityCostFigure figure_of(const FigureDeclaration& figure, const CellResult& cell) {
+    std::optional<double> value = figure.value(cell);
+    if (!value) return {undefined, value};
+    if (figure.unit.starts_with("fraction")) *value *= 100;
+    return {&figure == &front_cost() ? format_timing(cell) : significant(*value), value};
+}
+
+std::vector<QualityCostFigure> figures_of(const CellResult& cell, const std::vector<QualityCostColumn>& columns) {
+    std::vector<QualityCostFigure> figures;
+    for (const QualityCostColumn& column : columns) {
+        figures.push_back(figure_of(*column.figure, cell));
     }
     return figures;
 }
@@ -156,8 +149,8 @@ std::pair<std::string, std::string> split_cell_id(const std::string& id) {
 }
 
 QualityCostTable quality_cost_table(const std::vector<CellResult>& cells) {
-    const OptionalColumns with = optional_columns(cells);
-    QualityCostTable table{.columns = columns_of(with), .views = {}, .flip = ranking_flip(cells)};
+    const RankingFlip flip = ranking_flip(cells);
+    QualityCostTable table{.columns = columns_of(flip, optional_columns(cells)), .views = {}, .flip = flip};
     const std::vector<ViewVariant> variants = view_variants(cells);
     for (std::size_t at = 0; at < cells.size(); ++at) {
         const CellResult& cell = cells[at];
@@ -167,7 +160,7 @@ QualityCostTable quality_cost_table(const std::vector<CellResult>& cells) {
             .rows.push_back({.cell = &cell,
                              .setting = split_cell_id(cell.cell).first,
                              .variant = variant,
-                             .figures = figures_of(cell, table.flip, with)});
+                             .figures = figures_of(cell, table.columns)});
     }
     for (QualityCostView& view : table.views) {
         sort_rows(view.rows);

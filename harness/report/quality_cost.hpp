@@ -1,7 +1,7 @@
 #pragma once
 
 #include "report/ranking.hpp"
-#include "store/cell_result.hpp"
+#include "store/figures.hpp"
 
 #include <optional>
 #include <string>
@@ -13,7 +13,6 @@ namespace reliefbench {
 /// A cell's id is "<technique and parameters> | <view>".
 std::pair<std::string, std::string> split_cell_id(const std::string& id);
 
-/// One figure of a cell. Less is better in all of them.
 struct QualityCostFigure {
     std::string text;
     /// Empty where it is undefined.
@@ -22,8 +21,7 @@ struct QualityCostFigure {
 
 struct QualityCostColumn {
     std::string title;
-    /// Of the picture; else of its cost.
-    bool is_error = false;
+    const FigureDeclaration* figure = nullptr;
 };
 
 /// Quality against cost of one cell: what the table on the terminal and the one in Markdown show.

@@ -59,8 +59,11 @@ public:
         if (!counts(row, column)) return "";
         const double value = *row.figures[column].value;
         const std::vector<double>& all = values_.at(row.variant)[column];
-        const auto better = std::count_if(all.begin(), all.end(), [value](double other) { return other < value; });
-        const auto worse = std::count_if(all.begin(), all.end(), [value](double other) { return other > value; });
+        const Better direction = columns_[column].figure->better;
+        const auto better =
+            std::count_if(all.begin(), all.end(), [&](double other) { return is_better(other, value, direction); });
+        const auto worse =
+            std::count_if(all.begin(), all.end(), [&](double other) { return is_better(value, other, direction); });
         if (2 * better < worse) return cyan;
         if (2 * worse < better) return yellow;
         return "";
@@ -68,7 +71,7 @@ public:
 
 private:
     bool counts(const QualityCostRow& row, std::size_t column) const {
-        return row.figures[column].value && !(columns_[column].is_error && row.mark == '!');
+        return row.figures[column].value && !(is_error(*columns_[column].figure) && row.mark == '!');
     }
 
     const std::vector<QualityCostColumn>& columns_;

@@ -206,6 +206,10 @@ bool is_time(const FigureDeclaration& figure) {
     return figure.path.starts_with("time.") || figure.path == "prepare.ms";
 }
 
+bool is_error(const FigureDeclaration& figure) {
+    return figure.path.starts_with("error.") || figure.path.starts_with("image.") || figure.path.starts_with("motion.");
+}
+
 const FigureDeclaration* find_figure(std::string_view path) {
     const auto* found = std::find_if(std::begin(declarations), std::end(declarations),
                                      [path](const FigureDeclaration& each) { return each.path == path; });

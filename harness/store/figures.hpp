@@ -38,6 +38,9 @@ std::span<const FigureDeclaration> figures();
 /// them.
 bool is_time(const FigureDeclaration& figure);
 
+/// Of how far a picture is from the truth, alone or in motion.
+bool is_error(const FigureDeclaration& figure);
+
 /// Null where there is none of that path.
 const FigureDeclaration* find_figure(std::string_view path);
 

@@ -104,6 +104,17 @@ TEST(Figures, SignedMeansAndCountsHaveNoDirection) {
     EXPECT_EQ(find_figure("error.depth"), nullptr);
 }
 
+TEST(Figures, BetterGoesByTheDirection) {
+    EXPECT_TRUE(is_better(1, 2, Better::lower));
+    EXPECT_TRUE(is_better(2, 1, Better::higher));
+    EXPECT_FALSE(is_better(1, 2, Better::higher));
+    for (const Better better : {Better::lower, Better::higher, Better::neither}) {
+        EXPECT_FALSE(is_better(1, 1, better));
+        EXPECT_FALSE(is_better(1, 2, better) && is_better(2, 1, better));
+    }
+    EXPECT_FALSE(is_better(1, 2, Better::neither) || is_better(2, 1, Better::neither));
+}
+
 TEST(Figures, TheListOfTheScriptsIsThisOne) {
     const std::string file = RELIEFBENCH_SOURCE_DIR "/scripts/figures.json";
     EXPECT_EQ(Json::parse(read_text_file(file)), figures_to_json())
