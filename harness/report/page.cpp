@@ -2,6 +2,7 @@
 
 #include "compare/deciding_figures.hpp"
 #include "core/error.hpp"
+#include "report/cautions.hpp"
 #include "report/page_cells.hpp"
 #include "report/page_comparison.hpp"
 #include "report/page_pictures.hpp"
@@ -51,6 +52,7 @@ Json run_to_json(const PageRun& run) {
     json["name"] = run.stored.name;
     json["record"] = run.stored.run.run;
     json["summary"] = run.summary ? *run.summary : Json(nullptr);
+    json["cautions"] = cautions(run.stored.run.cells);
     json["cells"] = cells_to_columns(run.stored.run.cells);
     json["samples"] = samples_to_columns(run.samples, run.stored.run.cells);
     json["pictures"] = pictures_to_json(run.pictures);

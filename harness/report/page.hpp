@@ -57,8 +57,8 @@ struct PageComparison {
     std::string failure;
 };
 
-/// All that the report's page knows: `{"tool_version", "figures", "runs": [{"name", "record", "summary", "cells",
-/// "samples", "pictures"}, ...], "pictures": [...], "comparison"}`. `figures` is the list of store/figures.hpp
+/// All that the report's page knows: `{"tool_version", "figures", "runs": [{"name", "record", "summary", "cautions",
+/// "cells", "samples", "pictures"}, ...], "pictures": [...], "comparison"}`. `figures` is the list of store/figures.hpp
 /// with the tolerances of compare/deciding_figures.hpp, `record` run.json; the rest is as page_cells.hpp,
 /// page_samples.hpp, page_pictures.hpp and page_comparison.hpp say.
 Json page_data(const std::vector<PageRun>& runs, const Json& pictures, const std::optional<PageComparison>& comparison,

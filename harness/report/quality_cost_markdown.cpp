@@ -1,5 +1,6 @@
 #include "report/quality_cost_markdown.hpp"
 
+#include "report/cautions.hpp"
 #include "report/markdown.hpp"
 #include "report/quality_cost.hpp"
 #include "report/text_layout.hpp"
@@ -60,6 +61,8 @@ std::string format_quality_cost_markdown(const Run& run) {
             "of the UV error between frames, texels.\n\n",
             extent_of(table.flip));
         if (table.flip != RankingFlip::footprint) text += fmt::format("{}\n\n", caveat_of(table.flip));
+        for (const std::string& caution : cautions(run.cells))
+            text += fmt::format("**Caution:** {}\n\n", markdown_text(caution));
     }
     return text + format_unmeasured(run, CellStatus::failed, "failed") +
            format_unmeasured(run, CellStatus::skipped, "skipped");

@@ -1,5 +1,6 @@
 #include "report/table.hpp"
 
+#include "report/cautions.hpp"
 #include "report/quality_cost.hpp"
 #include "report/text_layout.hpp"
 
@@ -200,6 +201,8 @@ std::string format_table(const std::vector<CellResult>& cells, const TableStyle&
         text += fmt::format(legend, extent_of(table.flip));
         if (table.flip != RankingFlip::footprint) text += indented(caveat_of(table.flip), 0, style.columns);
         if (style.colour) text += fmt::format(colour_legend, cyan, plain, yellow, plain);
+        for (const std::string& caution : cautions(cells))
+            text += indented("caution: " + caution, 0, style.columns);
     }
     const std::string reasons = format_reasons(cells, CellStatus::failed, "failed", style.columns) +
                                 format_reasons(cells, CellStatus::skipped, "skipped", style.columns);

@@ -53,6 +53,8 @@ export interface RunData {
   name: string;
   record: { [key: string]: Json };
   summary: { [key: string]: Json } | null;
+  /** What whoever reads the figures has to know first, in words. */
+  cautions: string[];
   cells: Cells;
   samples: PassSamples[];
   pictures: CellPictures;

@@ -67,6 +67,7 @@ export function headerElement(app: App, onTheme: () => void, onHelp: () => void)
       statusButton(app, "failed", counts["failed"] ?? 0),
       statusButton(app, "skipped", counts["skipped"] ?? 0),
       run.summary === null ? h("span", { class: "warning" }, "the run did not end") : null,
+      ...run.cautions.map((caution) => h("span", { class: "warning" }, caution)),
     ),
     h(
       "div",

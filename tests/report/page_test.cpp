@@ -247,6 +247,7 @@ TEST(Page, HoldsRunsWithAllThatIsKnownOfThem) {
     }
     EXPECT_EQ(json.at("runs").at(0).at("record").at("device").at("name"), "llvmpipe");
     EXPECT_TRUE(json.at("runs").at(0).at("summary").is_null());
+    EXPECT_EQ(json.at("runs").at(0).at("cautions"), Json::array());
     EXPECT_EQ(json.at("runs").at(0).at("pictures").at("maps").at("error"), Json({2, -1, -1}));
     EXPECT_EQ(json.at("runs").at(0).at("pictures").at("legends").at("error"), Json({{"title", "UV error"},
                                                                                     {"unit", "texels"},

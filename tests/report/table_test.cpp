@@ -197,6 +197,14 @@ TEST(Table, TheMarksAreExplained) {
     EXPECT_THAT(table, HasSubstr("! missed + false hits above 0.5 %"));
 }
 
+TEST(Table, CautionsStandBelowIt) {
+    CellResult cell = measured("pom | v", {1, 1});
+    cell.axes = {{"projection", "parallel"}, {"view_angle", 60.0}, {"azimuth", -90.0}};
+    EXPECT_THAT(format_table({cell}), HasSubstr("\ncaution: all rays run along rows or columns of texels"));
+    cell.axes["azimuth"] = -67.0;
+    EXPECT_THAT(format_table({cell}), Not(HasSubstr("caution")));
+}
+
 TEST(Table, WhatIsUndefinedIsADash) {
     CellResult cell = measured("a | v", {});
     cell.error->uv_texels.reset();
