@@ -37,6 +37,14 @@ bool answers_are_the_surfaces(const Manifest& manifest, const ParameterValues& v
     });
 }
 
+/// Dummer's least step is a length with the relief one side of the texture deep, which is another length on a map of
+/// copies: the rule that measures it in the scene takes its place.
+ParameterValues measured_in_the_scene(ParameterValues values) {
+    const auto rule = values.find("step_rule");
+    if (rule != values.end()) rule->second = std::string("larger");
+    return values;
+}
+
 /// The map's texture coordinates are `repeats` times as long as those of the map of copies: lengths in them are scaled.
 ParameterValues in_longer_coordinates(ParameterValues values) {
     const auto length = values.find("metric_height");
@@ -96,7 +104,8 @@ TEST_P(Wrap, IsNoWorseThanTheSameContentWithoutOne) {
     const CoordinateScene once(device(), map);
     const CoordinateScene copies(device(), tiled(map));
     const Resolution texels = copies.map.heights.size;
-    for (const ParameterValues& values : settings_of(technique.manifest)) {
+    for (const ParameterValues& setting : settings_of(technique.manifest)) {
+        const ParameterValues values = measured_in_the_scene(setting);
         for (const Boundary boundary : {Boundary::clip, Boundary::repeat}) {
             for (View view : {parallel_view(70, -67), perspective_view(60, 25)}) {
                 view.relief.boundary = boundary;
