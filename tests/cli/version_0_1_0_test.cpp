@@ -112,6 +112,15 @@ TEST_F(Version010, ARunStandsInAHistory) {
     EXPECT_THAT(outcome.code, testing::AnyOf(0, 3)) << outcome.err;
 }
 
+TEST_F(Version010, ARunIsNotResumedByAnotherVersion) {
+    std::filesystem::copy(fixture("all"), path("all"), std::filesystem::copy_options::recursive);
+    const std::string before = read_file(path("all/cells.jsonl"));
+    const Outcome outcome = reliefbench({"run", path("all/run.json"), "-o", path("all"), "--resume"});
+    EXPECT_EQ(outcome.code, 2) << outcome.out;
+    EXPECT_THAT(outcome.err, HasSubstr("shader")) << "names what is not the same";
+    EXPECT_EQ(read_file(path("all/cells.jsonl")), before);
+}
+
 TEST_F(Version010, ARunIsRepeatedFromItsRecord) {
     succeed({"run", fixture("all/run.json"), "--filter", "technique=pom,qdm", "-o", path("again")});
     const auto ids = [](const std::string& file) {
