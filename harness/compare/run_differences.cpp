@@ -173,8 +173,11 @@ std::vector<std::string> run_differences(const StoredRun& base, const StoredRun&
 std::string subject_difference(const StoredRun& base, const CellResult& base_cell, const StoredRun& changed,
                                const CellResult& changed_cell) {
     std::vector<std::string> differences;
-    append_member_differences(differences, "the parameter", base_cell.parameters, changed_cell.parameters);
-    // An axis that one side lacks is younger than that run, and at its default in the other: their ids are the same.
+    // A parameter or an axis that one side lacks is younger than that run, and at its default in the other: their ids are
+    // the same.
+    append_member_differences(differences, "the parameter",
+                              shared_members(base_cell.parameters, changed_cell.parameters),
+                              shared_members(changed_cell.parameters, base_cell.parameters));
     append_member_differences(differences, "the axis", shared_members(base_cell.axes, changed_cell.axes),
                               shared_members(changed_cell.axes, base_cell.axes));
     const Json map_before = height_map_of(base, base_cell);

@@ -126,6 +126,15 @@ TEST(CompareRuns, AnAxisThatOneSideDoesNotKnowIsNoDifference) {
     EXPECT_TRUE(comparison.uncompared.empty());
 }
 
+TEST(CompareRuns, AParameterThatOneSideDoesNotKnowIsNoDifference) {
+    CellResult cell = cell_result("c", 1);
+    const StoredRun base = one_run("base", {cell});
+    cell.parameters["self_shadow"] = "off";
+    const Comparison comparison = compare_one(base, one_run("new", {cell}));
+    EXPECT_EQ(comparison.cells.size(), 1U);
+    EXPECT_TRUE(comparison.uncompared.empty());
+}
+
 TEST(CompareRuns, WhatCannotBeComparedIsToldPlainly) {
     CellResult parameter = cell_result("parameter", 1);
     CellResult axis = cell_result("axis", 1);
