@@ -1,6 +1,9 @@
 #include "compare/deciding_figures.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -18,6 +21,19 @@ const FigureDeclaration* stand_in_of(const FigureDeclaration& figure) {
 }
 
 }  // namespace
+
+double size_in_tolerances(double a, double b, const FigureTolerance& tolerance) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (a == b) return 0;
+    if (std::isinf(a) || std::isinf(b)) return infinity;
+    const double difference = std::abs(a - b);
+    double size = infinity;
+    if (tolerance.absolute > 0) size = std::min(size, difference / tolerance.absolute);
+    if (tolerance.relative > 0) {
+        size = std::min(size, difference / std::max(std::abs(a), std::abs(b)) / tolerance.relative);
+    }
+    return size;
+}
 
 FigureTolerance tolerance_of(const FigureDeclaration& figure) {
     // Per frame: small beside the errors themselves.

@@ -15,6 +15,10 @@ struct FigureTolerance {
     double relative = 0;
 };
 
+/// How often the difference of two values contains the tolerance: above 1 it matters. Infinite where the tolerance asks
+/// for nothing, and for a difference that is infinite.
+double size_in_tolerances(double a, double b, const FigureTolerance& tolerance);
+
 /// By the figure's unit: 0.05 texels and 5 % of a UV error, 0.1 % of a fraction, 0.002 and 2 % of an image's error,
 /// 0.005 and 5 % of a shadow's error and of those in motion ...
 FigureTolerance tolerance_of(const FigureDeclaration& figure);

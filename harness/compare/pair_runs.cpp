@@ -129,8 +129,7 @@ std::optional<std::string> notice_on_ties(const RunSide& base, const RunSide& ch
     if (cells == 0) return std::nullopt;
     return fmt::format(
         "of {} of {} cells the errors of one side count ties (error.ties), which runs of an older version did not "
-        "know: "
-        "what is better or worse in them may be that and nothing else",
+        "know: what is better or worse in them may be that and nothing else",
         cells, comparison.cells.size());
 }
 

@@ -4,14 +4,11 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace reliefbench {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Below both, of the larger value and in the figure's unit, a change is rounding.
 constexpr double rounding_relative = 1e-4;
@@ -175,13 +172,7 @@ private:
 
 double QualityChange::size() const {
     if (!base || !changed) return 0;
-    if (std::isinf(*base) || std::isinf(*changed)) return infinity;
-    const double difference = std::abs(*changed - *base);
-    const double larger = std::max(std::abs(*base), std::abs(*changed));
-    double size = infinity;
-    if (tolerance.absolute > 0) size = std::min(size, difference / tolerance.absolute);
-    if (tolerance.relative > 0) size = std::min(size, larger > 0 ? difference / larger / tolerance.relative : 0);
-    return size;
+    return size_in_tolerances(*base, *changed, tolerance);
 }
 
 QualityComparison compare_quality(const CellResult& base, const CellResult& changed,

@@ -173,8 +173,8 @@ std::vector<std::string> run_differences(const StoredRun& base, const StoredRun&
 std::string subject_difference(const StoredRun& base, const CellResult& base_cell, const StoredRun& changed,
                                const CellResult& changed_cell) {
     std::vector<std::string> differences;
-    // A parameter or an axis that one side lacks is younger than that run, and at its default in the other: their ids are
-    // the same.
+    // A parameter or an axis that one side lacks is younger than that run, and at its default in the other: their ids
+    // are the same.
     append_member_differences(differences, "the parameter",
                               shared_members(base_cell.parameters, changed_cell.parameters),
                               shared_members(changed_cell.parameters, base_cell.parameters));

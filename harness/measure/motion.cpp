@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "metrics/flip.hpp"
 #include "metrics/motion_errors.hpp"
+#include "technique/cut_loops.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -18,6 +19,7 @@ constexpr std::size_t held_bytes = std::size_t{256} << 20U;
 
 /// What is known of a pair of frames before any technique is drawn.
 struct FramePair {
+    const gpu::Device& device;
     const ViewKey& view;
     const LoadedMap& loaded;
     const Lighting& lighting;
@@ -42,10 +44,10 @@ public:
     const std::string& id() const { return subject_.result->cell; }
     bool failed() const { return subject_.result->status == CellStatus::failed; }
 
-    void start(const Camera& camera) { hits_ = hits_from(camera); }
+    void start(const gpu::Device& device, const Camera& camera) { hits_ = hits_from(device, camera); }
 
     void follow(const FramePair& pair, const Camera& next) {
-        HitImage hits = hits_from(next);
+        HitImage hits = hits_from(pair.device, next);
         const Relief& relief = pair.view.view.relief;
         const MotionChange change = compare_frames(pair.motion.landings, pair.first.hits, pair.second.hits, hits_, hits,
                                                    pair.loaded.map, relief);
@@ -69,11 +71,12 @@ public:
     }
 
 private:
-    HitImage hits_from(const Camera& camera) const {
+    HitImage hits_from(const gpu::Device& device, const Camera& camera) const {
         Probe probe = subject_.renderer->probe_from(camera);
-        if (!probe.faults.empty()) {
-            fail("in motion, from azimuth {:g}° and view angle {:g}°, {}", camera.azimuth, camera.view_angle,
-                 reason_of_faults(probe.faults, probe.hits.texels.size()));
+        for (const std::string& reason :
+             {reason_of_faults(probe.faults, probe.hits.texels.size()), describe_cut_loops(device, probe)}) {
+            if (reason.empty()) continue;
+            fail("in motion, from azimuth {:g}° and view angle {:g}°, {}", camera.azimuth, camera.view_angle, reason);
         }
         return std::move(probe.hits);
     }
@@ -120,14 +123,15 @@ bool follow_cells(SharedInputs& inputs, const ViewKey& view, const Configuration
     const MotionSettings& settings = *configuration.motion;
     const auto camera_of = [&](int frame) { return camera_in_motion(view.view.camera, settings, frame); };
     std::vector<FollowedCell> cells(subjects.begin(), subjects.end());
-    if (!step_all(cells, goes_on, [&](FollowedCell& cell) { cell.start(camera_of(0)); })) return false;
+    if (!step_all(cells, goes_on, [&](FollowedCell& cell) { cell.start(inputs.device(), camera_of(0)); })) return false;
     std::optional<Truth> held;
     for (int frame = 1; frame < settings.frames; ++frame) {
         const Truth& first = held ? *held : inputs.truth(view);
         Truth second = inputs.truth_from(view, camera_of(frame));
         const Camera camera = camera_of(frame - 1);
         const Camera next = camera_of(frame);
-        const FramePair pair{.view = view,
+        const FramePair pair{.device = inputs.device(),
+                             .view = view,
                              .loaded = inputs.map(view),
                              .lighting = configuration.lighting,
                              .first = first,

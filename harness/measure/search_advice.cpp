@@ -76,8 +76,7 @@ std::string advise_longer_search(const Manifest& manifest, const ParameterValues
         words.push_back(fmt::format("{} = {}", cap->name, value_of(*cap, values)));
     return fmt::format(
         "{}, which caps it, is at its maximum: no number of steps of the technique's is enough here, if its search "
-        "ends "
-        "at all; choose a smaller height map or a steeper view, or give it a larger \"range\" in technique.json",
+        "ends at all; choose a smaller height map or a steeper view, or give it a larger \"range\" in technique.json",
         join(words, " with "));
 }
 

@@ -47,6 +47,8 @@ public:
     SharedInputs(const gpu::Device& device, const Lighting& lighting, const TruthSettings& settings,
                  const std::optional<SceneObject>& object = std::nullopt);
 
+    const gpu::Device& device() const { return *device_; }
+
     /// An Error where there is not the memory for it.
     const LoadedMap& map(const ViewKey& key);
     bool has_map(const ViewKey& key) const;

@@ -158,12 +158,12 @@ private:
     std::optional<ReadyPair> make_ready(const Cell& cell) {
         const Technique& base = *find_technique(variants_.base, cell.technique);
         std::string reason;
-        auto prepared_base = prepare(base, baseline_cell(cell, base.manifest), reason);
+        auto prepared_base = prepare(base, baseline_cell(cell, base.manifest), failed_in_baseline_, reason);
         if (!prepared_base) {
             outcome_.unmeasured.push_back({cell.id, with_side("baseline", reason)});
             return std::nullopt;
         }
-        auto prepared_changed = prepare(variants_.changed.get(cell.technique), cell, reason);
+        auto prepared_changed = prepare(variants_.changed.get(cell.technique), cell, failed_in_changed_, reason);
         if (!prepared_changed) {
             outcome_.unmeasured.push_back({cell.id, with_side("new side", reason), true});
             return std::nullopt;
@@ -171,12 +171,13 @@ private:
         return ReadyPair{&cell.view, std::move(*prepared_base), std::move(*prepared_changed)};
     }
 
-    std::optional<PreparedCell> prepare(const Technique& technique, const Cell& cell, std::string& reason) {
+    /// `failed`: of this side; what one side's manifest makes fail the other's may have mended.
+    std::optional<PreparedCell> prepare(const Technique& technique, const Cell& cell, FailedPreparations& failed,
+                                        std::string& reason) {
         try {
             const LongPreparation long_preparation{
                 settings_.map_cache,
-                [&](const PreparationProgress& progress) { report(cell.id + ": " + describe(progress)); },
-                failed_preparations_};
+                [&](const PreparationProgress& progress) { report(cell.id + ": " + describe(progress)); }, failed};
             PreparedOrSkipped prepared =
                 prepare_cell(device_, technique, cell, inputs_, configuration_, long_preparation);
             reason = prepared.skip_reason;
@@ -254,7 +255,8 @@ private:
     const Clock& clock_;
     double start_s_;
     SharedInputs inputs_;
-    FailedPreparations failed_preparations_;
+    FailedPreparations failed_in_baseline_;
+    FailedPreparations failed_in_changed_;
     VariantOutcome outcome_;
     std::size_t cells_done_ = 0;
 };

@@ -20,9 +20,7 @@ constexpr std::size_t next_steps = 3;
 constexpr std::string_view pooled_axes[] = {"heightmap", "azimuth"};
 
 bool can_be_told_apart(double a, double b, const FigureTolerance& tolerance) {
-    const double difference = std::abs(a - b);
-    if (std::isinf(difference)) return true;
-    return difference > tolerance.absolute && difference > tolerance.relative * std::max(std::abs(a), std::abs(b));
+    return size_in_tolerances(a, b, tolerance) > 1;
 }
 
 /// "512x256"; empty where it is none.

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/suggest.hpp"
 #include "report/figure_rows.hpp"
+#include "report/figure_text.hpp"
 #include "report/text_layout.hpp"
 #include "store/view_variants.hpp"
 
@@ -26,7 +27,7 @@ bool is_draw_time(const FigureDeclaration& figure) {
 }
 
 std::string with_unit(double value, const FigureDeclaration& figure) {
-    return figure.unit.empty() ? significant(value) : fmt::format("{} {}", significant(value), figure.unit);
+    return figure_value_text(value, figure.unit) + figure_unit_text(figure.unit);
 }
 
 std::string limit_words(const AdviceLimit& limit) {
@@ -93,6 +94,10 @@ std::vector<Row> rows_of(const ViewAdvice& view) {
     return rows;
 }
 
+std::string value_of(const std::optional<double>& value, const FigureDeclaration& figure) {
+    return value ? figure_value_text(*value, figure.unit) : "-";
+}
+
 std::string text_of(const std::optional<double>& value) {
     return value ? significant(*value) : "-";
 }
@@ -101,8 +106,8 @@ std::string table_of(const Advice& advice, const ViewAdvice& view, std::size_t c
     std::vector<FigureColumn> titles{{"", Alignment::left}, {"ms"}, {"ns/pixel"}};
     for (const FigureDeclaration* figure : advice.figures) {
         if (is_draw_time(*figure)) continue;
-        const std::string unit = figure->unit.empty() ? "" : fmt::format(" ({})", figure->unit);
-        titles.push_back({std::string(figure->label) + unit});
+        const std::string unit = figure_unit_text(figure->unit);
+        titles.push_back({std::string(figure->label) + (unit.empty() ? "" : fmt::format(" ({})", unit.substr(1)))});
     }
     std::vector<std::vector<std::string>> figures;
     std::vector<std::string> settings;
@@ -110,7 +115,7 @@ std::string table_of(const Advice& advice, const ViewAdvice& view, std::size_t c
         std::vector<std::string>& row = figures.emplace_back();
         row = {role, significant(setting->ms, 4), text_of(setting->ns_per_pixel)};
         for (std::size_t at = 0; at < advice.figures.size(); ++at) {
-            if (!is_draw_time(*advice.figures[at])) row.push_back(text_of(setting->figures[at]));
+            if (!is_draw_time(*advice.figures[at])) row.push_back(value_of(setting->figures[at], *advice.figures[at]));
         }
         settings.push_back(setting->setting);
     }

@@ -44,9 +44,10 @@ std::string caution_of_ties(const std::vector<CellResult>& cells) {
     }
     if (views.empty()) return "";
     return fmt::format(
-        "in {} more than 1 % of the footprint are ties (up to {}: {:.2g} %), rays that only touch the surface and that "
-        "no "
-        "error counts; the pixels lie on edges of texels: change the resolution or the azimuth a little",
+        "in {} more than 1 % of the footprint are ties (up to {}: {:.2g} %): rays that only touch the surface, on "
+        "edges of "
+        "texels; errors of hits leave them out and those of images count them; change the resolution or the azimuth a "
+        "little",
         counted(views.size(), "view"), most.second.empty() ? "the default view" : most.second, 100 * most.first);
 }
 

@@ -2,6 +2,7 @@
 
 #include "compare/describe.hpp"
 #include "core/suggest.hpp"
+#include "report/figure_text.hpp"
 #include "report/merged_reason.hpp"
 #include "report/text_layout.hpp"
 
@@ -36,23 +37,8 @@ bool matters(const QualityChange& change) {
     return change.decides || change.size() > 1 || (on_one_side_only && change.is_deciding);
 }
 
-/// Fractions are written per cent.
-constexpr std::string_view fraction = "fraction";
-
-double shown(double value, std::string_view unit) {
-    return unit.starts_with(fraction) ? 100 * value : value;
-}
-
-/// With the space before it.
-std::string unit_text(std::string_view unit) {
-    if (unit.empty()) return "";
-    if (!unit.starts_with(fraction)) return fmt::format(" {}", unit);
-    return fmt::format(" %{}", unit.substr(fraction.size()));
-}
-
 std::string value_text(const std::optional<double>& value, std::string_view unit, int digits) {
-    if (!value) return undefined;
-    return std::isfinite(*value) ? significant(shown(*value, unit), digits) : "∞";
+    return value ? figure_value_text(*value, unit, digits) : undefined;
 }
 
 /// By how much, where that can be said: of the base, or where that says little in the figure's unit.
@@ -61,7 +47,7 @@ std::string amount_text(const QualityChange& change) {
     if (!std::isfinite(*change.base) || !std::isfinite(*change.changed)) return "";
     const double difference = std::abs(*change.changed - *change.base);
     const bool in_unit = *change.base == 0 || (change.tolerance.relative == 0 && change.tolerance.absolute > 0);
-    if (in_unit) return " by " + significant(shown(difference, change.unit), 2) + unit_text(change.unit);
+    if (in_unit) return " by " + figure_value_text(difference, change.unit, 2) + figure_unit_text(change.unit);
     const double share = difference / std::abs(*change.base);
     if (share >= least_factor) return fmt::format(" by a factor of {}", significant(share + 1, 2));
     return fmt::format(" by {} %", significant(100 * share, 2));
@@ -209,7 +195,7 @@ std::string quality_change_text(const QualityChange& change) {
                                 change.is_deciding && !change.decides ? ", within the tolerance" : "");
     }
     return fmt::format("{}{} {} → {}{}{}", judgement, change.field, value(change.base), value(change.changed),
-                       unit_text(change.unit),
+                       figure_unit_text(change.unit),
                        change.in_place_of.empty() ? "" : fmt::format(" (in place of {})", change.in_place_of));
 }
 
@@ -228,7 +214,7 @@ std::string tolerance_text(const DecidingFigure& figure) {
     const std::string_view unit = figure.terms.front()->unit;
     const auto& [absolute, relative] = figure.tolerance;
     std::vector<std::string> parts;
-    if (absolute > 0) parts.push_back(fmt::format("{:g}{}", shown(absolute, unit), unit_text(unit)));
+    if (absolute > 0) parts.push_back(fmt::format("{:g}{}", figure_as_shown(absolute, unit), figure_unit_text(unit)));
     if (relative > 0) parts.push_back(fmt::format("{:g} %", 100 * relative));
     return parts.empty() ? "nothing" : join(parts, " and ");
 }

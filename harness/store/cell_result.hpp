@@ -93,7 +93,7 @@ struct CellResult {
         std::optional<Summary> uv_texels, depth, normal_deg;
         std::uint64_t compared = 0;
         double missed = 0, false_hits = 0;
-        /// Fraction of F, which no other figure counts. Empty in runs made before ties were told apart.
+        /// Fraction of F, which no other of these errors counts. Empty in runs made before ties were told apart.
         std::optional<double> ties = {};
         std::uint64_t outside_quad_pixels = 0;
         std::optional<double> outside_quad_covered;

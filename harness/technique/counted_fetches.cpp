@@ -21,8 +21,7 @@ const char* remedy(gpu::Fetch::Kind kind) {
     switch (kind) {
         case gpu::Fetch::Kind::sampled:
             return "use tap_height(uv), or tap_map(map, uv, lod) or tap_map_gradients(map, uv, uv_dx, uv_dy) for "
-                   "another "
-                   "map";
+                   "another map";
         case gpu::Fetch::Kind::texel:
             return "use tap_height_texel(texel), or tap_map_texel(map, texel, lod) for another map";
         case gpu::Fetch::Kind::gather:

@@ -78,6 +78,7 @@ SampledError measure_error(CheckList& list, const PromiseDeclaration& declaratio
     const Image<float> uv_errors = uv_error_map(found.probe.hits, found.truth.hits, scene.map, where.view.relief);
     WorstPixel worst;
     for (std::size_t pixel = 0; pixel < uv_errors.texels.size(); ++pixel) {
+        if (found.truth.footprint.texels[pixel] != in_footprint) continue;
         const auto [i, j] = place_of(pixel, where.view.resolution);
         const double stride = texels_through_relief(where.view, scene.map, i, j);
         const double step = stride / static_cast<double>(sampling.samples << sampling.halvings);
