@@ -201,7 +201,7 @@ function judgeCondition(term: ConditionTerm, columns: Map<string, SearchColumn>)
 
 /**
  * The cells of `selection` that the search finds, in their order. A condition on what this run has no column of finds
- * nothing and is reported.
+ * nothing, excluded it takes nothing away, and both times it is reported.
  */
 export function searchCells(
   cells: Cells,
