@@ -1,5 +1,6 @@
 #include "cli/command.hpp"
 #include "cli/duration.hpp"
+#include "cli/figure_choice.hpp"
 #include "cli/results.hpp"
 #include "cli/shared_options.hpp"
 #include "cli/stored_runs.hpp"
@@ -31,21 +32,13 @@ struct AdviseOptions {
     std::string format = "table";
 };
 
-/// With a direction; what is unknown or has none is an Error that names `option`.
+/// What is better neither way is an Error that names `option`.
 const FigureDeclaration& figure_with_direction(const std::string& path, const std::string& option) {
-    const FigureDeclaration* const figure = find_figure(path);
-    if (figure == nullptr) {
-        std::vector<std::string> paths;
-        for (const FigureDeclaration& each : figures()) {
-            paths.emplace_back(each.path);
-        }
-        fail("{}: there is no figure '{}'{}; `reliefbench list figures` has them", option, path,
-             did_you_mean(path, paths));
-    }
-    if (figure->better == Better::neither) {
+    const FigureDeclaration& figure = chosen_figure(path, option);
+    if (figure.better == Better::neither) {
         fail("{}: neither more nor less of {} is better; name a figure that has a better side", option, path);
     }
-    return *figure;
+    return figure;
 }
 
 AdviceLimit parse_limit(const std::string& text) {

@@ -1,5 +1,7 @@
 #include "cli/command_tree.hpp"
 
+#include "core/split.hpp"
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -11,16 +13,6 @@ namespace reliefbench {
 namespace {
 
 constexpr std::string_view example = "Example: ";
-
-std::vector<std::string> split(std::string_view text, char separator) {
-    std::vector<std::string> parts;
-    while (true) {
-        const std::size_t end = text.find(separator);
-        parts.emplace_back(text.substr(0, end));
-        if (end == std::string_view::npos) return parts;
-        text.remove_prefix(end + 1);
-    }
-}
 
 /// CLI11 appends what a check says of itself: "DIR:FILE in ...", ":{plain,force}".
 std::string argument_of(const CLI::Option& option) {

@@ -1,8 +1,9 @@
 #include "cli/quality_choice.hpp"
 
+#include "cli/figure_choice.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "core/suggest.hpp"
+#include "core/split.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -16,33 +17,13 @@ namespace {
 
 constexpr const char* option = "--quality-figures";
 
-std::vector<std::string> split(std::string_view text, char separator) {
-    std::vector<std::string> parts(1);
-    for (const char character : text) {
-        if (character == separator) {
-            parts.emplace_back();
-        } else {
-            parts.back() += character;
-        }
-    }
-    return parts;
-}
-
 const FigureDeclaration* parse_term(const std::string& path) {
-    const FigureDeclaration* figure = find_figure(path);
-    if (figure == nullptr) {
-        std::vector<std::string> paths;
-        for (const FigureDeclaration& each : figures()) {
-            paths.emplace_back(each.path);
-        }
-        fail("{}: there is no figure '{}'{}; `reliefbench list figures` has them all", option, path,
-             did_you_mean(path, paths));
-    }
-    if (is_time(*figure)) fail("{}: {} is a time, which has a verdict of its own", option, path);
-    if (figure->better == Better::neither) {
+    const FigureDeclaration& figure = chosen_figure(path, option);
+    if (is_time(figure)) fail("{}: {} is a time, which has a verdict of its own", option, path);
+    if (figure.better == Better::neither) {
         fail("{}: of {} neither less nor more is better (`reliefbench list figures`)", option, path);
     }
-    return figure;
+    return &figure;
 }
 
 void parse_tolerance(const std::string& text, FigureTolerance& tolerance) {

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "store/figures.hpp"
+
+#include <string>
+
+namespace reliefbench {
+
+/// The figure that an option names; one that there is not is an Error that names `option`, with a "did you mean".
+const FigureDeclaration& chosen_figure(const std::string& path, const std::string& option);
+
+}  // namespace reliefbench
