@@ -146,7 +146,7 @@ void overshoot(const gpu::Device& device, const TechniqueLibrary& library, const
         const ParameterValues values = with_values(technique.manifest, variant.parameters);
         for (const double azimuth : azimuths) {
             const View view = steep_view(azimuth);
-            const Comparison found =
+            const TruthComparison found =
                 compare_with_truth(device, technique, values, scene, view, {.cache = map_cache_folder()});
             const auto footprint = static_cast<double>(found.errors.footprint);
             double unconverged = 0;

@@ -13,12 +13,13 @@ double CheckList::filter_deviation() {
     return filter_deviation_;
 }
 
-const Comparison& CheckList::comparison(const ParameterValues& parameters, const Circumstance& circumstance) {
+const TruthComparison& CheckList::comparison(const ParameterValues& parameters, const Circumstance& circumstance) {
     const std::string key = describe(parameters, manifest()) + "; " + describe(circumstance);
     const auto known = comparisons_.find(key);
     if (known != comparisons_.end()) return known->second;
     const CoordinateScene& scene = scenes_.get(circumstance.map, circumstance.map_size);
-    Comparison found = compare_with_truth(*device_, *technique_, parameters, scene, circumstance.view, preparation_);
+    TruthComparison found =
+        compare_with_truth(*device_, *technique_, parameters, scene, circumstance.view, preparation_);
     return comparisons_.emplace(key, std::move(found)).first->second;
 }
 

@@ -35,7 +35,7 @@ public:
     /// δ of r16, measured when first asked for.
     double filter_deviation();
     /// compare_with_truth, drawn and traced when first asked for: promises look at the same pictures.
-    const Comparison& comparison(const ParameterValues& parameters, const Circumstance& circumstance);
+    const TruthComparison& comparison(const ParameterValues& parameters, const Circumstance& circumstance);
 
     /// Runs `body` and records what it found; an Error (a shader that does not compile, a lost device) is a failure
     /// with its message. Returns whether it passed.
@@ -57,7 +57,7 @@ private:
     PreparationSettings preparation_;
     SceneCollection scenes_;
     double filter_deviation_ = -1;
-    std::map<std::string, Comparison> comparisons_;
+    std::map<std::string, TruthComparison> comparisons_;
     std::vector<Check> checks_;
 };
 

@@ -70,13 +70,14 @@ void require_answers_in_range(const Probe& probe) {
     throw OutOfRange(reason_of_faults(probe.faults, probe.hits.texels.size()), worst_fault(probe.faults).pixel);
 }
 
-Comparison compare_with_truth(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
-                              const CoordinateScene& scene, const View& view, const PreparationSettings& preparation) {
+TruthComparison compare_with_truth(const gpu::Device& device, const Technique& technique,
+                                   const ParameterValues& parameters, const CoordinateScene& scene, const View& view,
+                                   const PreparationSettings& preparation) {
     const Lighting lighting = coordinate_lighting();
     Renderer renderer(device, technique, parameters, scene.on_device, view, lighting);
     const std::string given_up = renderer.prepare(preparation).given_up;
     if (!given_up.empty()) fail("{}", given_up);
-    Comparison comparison;
+    TruthComparison comparison;
     comparison.probe = renderer.probe();
     require_answers_in_range(comparison.probe);
     comparison.truth = trace_exact_truth(scene.map, scene.albedo, view, lighting);

@@ -55,7 +55,7 @@ private:
 };
 
 /// What a technique found and what it should have.
-struct Comparison {
+struct TruthComparison {
     Probe probe;
     Truth truth;
     HitErrors errors;
@@ -72,9 +72,9 @@ struct OutOfRange : Error {
 void require_answers_in_range(const Probe& probe);
 
 /// Draws the probed compilation and traces the exact truth beside it. Answers out of range are OutOfRange.
-Comparison compare_with_truth(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
-                              const CoordinateScene& scene, const View& view,
-                              const PreparationSettings& preparation = {});
+TruthComparison compare_with_truth(const gpu::Device& device, const Technique& technique,
+                                   const ParameterValues& parameters, const CoordinateScene& scene, const View& view,
+                                   const PreparationSettings& preparation = {});
 
 /// Texels that the ray of a pixel travels from h = 1 to h = 0: H·tanθ·N·tiling.
 double texels_through_relief(const View& view, const HeightMap& map, int i, int j);

@@ -218,7 +218,7 @@ void check_polygon(CheckList& list) {
         const Circumstance where = circumstance(map_of_ones, {32, 32}, projection, 60, -70);
         const ParameterValues parameters = list.manifest().defaults();
         list.check("a map of ones is the polygon", parameters, where, [&]() -> Finding {
-            const Comparison found =
+            const TruthComparison found =
                 compare_with_truth(list.device(), list.technique(), parameters, ones, where.view, list.preparation());
             const HitErrors& errors = found.errors;
             const double worst = errors.uv_texels ? errors.uv_texels->max : INFINITY;

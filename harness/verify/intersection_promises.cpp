@@ -59,7 +59,7 @@ struct BeyondFirstHit {
     std::optional<PixelPlace> farthest = {};
 };
 
-BeyondFirstHit beyond_first_hit(const Comparison& comparison, const HeightMap& map, const View& view,
+BeyondFirstHit beyond_first_hit(const TruthComparison& comparison, const HeightMap& map, const View& view,
                                 double deviation) {
     constexpr double tolerance_texels = 0.5;
     BeyondFirstHit beyond;
@@ -82,7 +82,7 @@ BeyondFirstHit beyond_first_hit(const Comparison& comparison, const HeightMap& m
 
 }  // namespace
 
-std::size_t pixels_beyond(const Comparison& comparison, const HeightMap& map, const View& view, double deviation) {
+std::size_t pixels_beyond(const TruthComparison& comparison, const HeightMap& map, const View& view, double deviation) {
     return beyond_first_hit(comparison, map, view, deviation).pixels;
 }
 
@@ -92,7 +92,7 @@ void check_first_hit(CheckList& list, const PromiseDeclaration& declaration) {
     for (const Circumstance& where : intersection_circumstances()) {
         list.check("first_hit", parameters, where, [&]() -> Finding {
             const CoordinateScene& scene = list.scenes().get(where.map, where.map_size);
-            const Comparison& found = list.comparison(parameters, where);
+            const TruthComparison& found = list.comparison(parameters, where);
             const double floor =
                 list.filter_deviation() * most_texels_through_relief(where.view, scene.map, found.truth.footprint);
             const double p99 = found.errors.uv_texels ? found.errors.uv_texels->p99 : INFINITY;
@@ -114,7 +114,7 @@ void check_conservative(CheckList& list, const PromiseDeclaration& declaration) 
     for (const Circumstance& where : intersection_circumstances()) {
         list.check("conservative", parameters, where, [&]() -> Finding {
             const CoordinateScene& scene = list.scenes().get(where.map, where.map_size);
-            const Comparison& found = list.comparison(parameters, where);
+            const TruthComparison& found = list.comparison(parameters, where);
             const BeyondFirstHit beyond = beyond_first_hit(found, scene.map, where.view, list.filter_deviation());
             if (found.errors.compared == 0) return {false, "nothing to compare: no pixel has both hits"};
             const double fraction = static_cast<double>(beyond.pixels) / static_cast<double>(found.errors.footprint);

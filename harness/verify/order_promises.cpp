@@ -60,7 +60,7 @@ ParameterValues sampled_parameters(const Manifest& manifest, const PromiseDeclar
 SampledError measure_error(CheckList& list, const PromiseDeclaration& declaration, const Circumstance& where,
                            const Sampling& sampling) {
     const CoordinateScene& scene = list.scenes().get(where.map, where.map_size);
-    const Comparison found = compare_with_truth(
+    const TruthComparison found = compare_with_truth(
         list.device(), list.technique(), sampled_parameters(list.manifest(), declaration, sampling), scene, where.view);
     SampledError error;
     error.sampling = sampling;

@@ -29,7 +29,7 @@ void check_order_2(CheckList& list, const PromiseDeclaration& declaration);
 
 /// Footprint pixels whose reported point lies more than half a texel and the floor beyond the first hit, misses
 /// included.
-std::size_t pixels_beyond(const Comparison& comparison, const HeightMap& map, const View& view, double deviation);
+std::size_t pixels_beyond(const TruthComparison& comparison, const HeightMap& map, const View& view, double deviation);
 
 void check_promise(CheckList& list, const PromiseDeclaration& declaration);
 

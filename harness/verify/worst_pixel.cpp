@@ -15,7 +15,7 @@ std::optional<PixelPlace> WorstPixel::place(Resolution size) const {
     return place_of(pixel_, size);
 }
 
-std::optional<PixelPlace> worst_place(const Comparison& comparison, const HeightMap& map, const View& view,
+std::optional<PixelPlace> worst_place(const TruthComparison& comparison, const HeightMap& map, const View& view,
                                       bool coverage) {
     const HitImage& technique = comparison.probe.hits;
     const HitImage& truth = comparison.truth.hits;

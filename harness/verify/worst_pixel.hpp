@@ -24,7 +24,7 @@ private:
 };
 
 /// Of the footprint: where the UV error is largest; of `coverage`, where a hit is missed or false.
-std::optional<PixelPlace> worst_place(const Comparison& comparison, const HeightMap& map, const View& view,
+std::optional<PixelPlace> worst_place(const TruthComparison& comparison, const HeightMap& map, const View& view,
                                       bool coverage);
 
 }  // namespace reliefbench

@@ -123,6 +123,23 @@ TEST(Architecture, ThirdPartyHeadersStayBehindTheirInterface) {
     }
 }
 
+TEST(Architecture, ATypesNameIsItsOwn) {
+    // Two of one name in one program: the linker would take either's destructor for both.
+    const std::regex declared_namespace("\\nnamespace (reliefbench[a-z:_]*) \\{");
+    const std::regex defined_type("\\n(?:struct|class|enum class) ([A-Za-z]+)(?: final)?(?: : [^;{]*)? \\{");
+    std::map<std::string, fs::path> where;
+    for (const fs::path& file : files_below(source_root / "harness", {".hpp"})) {
+        const std::string text = read(file);
+        for (const std::string& name_space : matches(text, declared_namespace)) {
+            for (const std::string& type : matches(text, defined_type)) {
+                const auto [known, is_new] = where.emplace(name_space + "::" + type, file);
+                EXPECT_TRUE(is_new) << file << " and " << known->second << " both define " << known->first;
+            }
+        }
+    }
+    EXPECT_GT(where.size(), 100U) << "found next to nothing to check";
+}
+
 TEST(Architecture, TheHarnessNamesNoTechnique) {
     for (const fs::path& folder : technique_folders()) {
         const std::string quoted_id = "\"" + folder.filename().string() + "\"";

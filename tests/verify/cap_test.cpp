@@ -25,7 +25,7 @@ TEST_F(Cap, RaysThatHaveLeftAClippedPatchAreNotUnconverged) {
     repeated.relief.boundary = Boundary::repeat;
     for (const std::string technique : {"qdm", "max_mip", "robust_cone"}) {
         const ParameterValues capped{{"max_steps", std::int64_t{48}}};
-        const Comparison found = compare(technique, capped, scene, clipped);
+        const TruthComparison found = compare(technique, capped, scene, clipped);
         ASSERT_TRUE(found.errors.uv_texels) << technique;
         EXPECT_LT(found.errors.uv_texels->p99, 0.01) << technique;
         EXPECT_EQ(unconverged(found.probe), 0U) << technique;

@@ -75,7 +75,7 @@ protected:
 
     static Figures figures(const std::string& technique, const ParameterValues& changed, const CoordinateScene& scene,
                            const View& view) {
-        const Comparison found = compare(technique, changed, scene, view);
+        const TruthComparison found = compare(technique, changed, scene, view);
         const auto footprint = static_cast<double>(found.errors.footprint);
         Figures figures;
         figures.beyond = static_cast<double>(pixels_beyond(found, scene.map, view, 1e-6)) / footprint;
@@ -95,7 +95,7 @@ TEST_F(ConeStep, IsDummersLoop) {
             view.relief.height_scale = 0.1;
             view.relief.tiling = 1.5;
             view.relief.boundary = Boundary::repeat;
-            const Comparison found = compare("cone_step", {{"preparation", "exact"s}}, scene, view);
+            const TruthComparison found = compare("cone_step", {{"preparation", "exact"s}}, scene, view);
             std::size_t hits = 0;
             std::size_t same = 0;
             for (int j = 0; j < view.resolution.height; ++j) {

@@ -202,7 +202,7 @@ protected:
     /// Fraction of the footprint in which the answer lies more than half a texel beyond the first hit.
     static double beyond(const Technique& technique, const ParameterValues& values, const CoordinateScene& scene,
                          const View& view, const PreparationSettings& preparation) {
-        const Comparison found = compare_with_truth(device(), technique, values, scene, view, preparation);
+        const TruthComparison found = compare_with_truth(device(), technique, values, scene, view, preparation);
         const double deviation = 1e-6;
         return static_cast<double>(pixels_beyond(found, scene.map, view, deviation)) /
                static_cast<double>(found.errors.footprint);
@@ -254,14 +254,14 @@ TEST_F(RobustCone, PassesBumpsWithinACellOffTheAxesWhereItDoesNotLookForThem) {
     const CoordinateScene scene(device(), procedural("spikes", {128, 128}));
     View view = parallel_view(75, -45);
     view.relief.boundary = Boundary::repeat;
-    const auto fraction_beyond = [&](const Comparison& found) {
+    const auto fraction_beyond = [&](const TruthComparison& found) {
         return static_cast<double>(pixels_beyond(found, scene.map, view, 1e-6)) /
                static_cast<double>(found.errors.footprint);
     };
-    const Comparison published = compare("robust_cone", {{"bump_check", false}}, scene, view);
+    const TruthComparison published = compare("robust_cone", {{"bump_check", false}}, scene, view);
     EXPECT_GT(fraction_beyond(published), 0.02);
     EXPECT_GT(published.errors.uv_texels->p99, 1);
-    const Comparison checked = compare("robust_cone", {}, scene, view);
+    const TruthComparison checked = compare("robust_cone", {}, scene, view);
     EXPECT_LT(fraction_beyond(checked), 0.003);
     EXPECT_LT(checked.errors.uv_texels->p99, 0.01);
 }
@@ -270,7 +270,7 @@ TEST_F(RobustCone, LooksForNoBumpsAlongTheAxes) {
     const CoordinateScene scene(device(), procedural("spikes", {128, 128}));
     const auto taps = [&](bool bump_check, double azimuth) {
         std::uint64_t sum = 0;
-        const Comparison found =
+        const TruthComparison found =
             compare("robust_cone", {{"bump_check", bump_check}}, scene, parallel_view(75, azimuth));
         for (const PixelWork& work : found.probe.work.texels)
             sum += work.taps;

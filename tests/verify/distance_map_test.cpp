@@ -95,7 +95,7 @@ TEST_F(DistanceMap, IsConservativeAtAnyStepCount) {
         for (const std::int64_t slices : {16, 48}) {
             double depth_before = INFINITY;
             for (const std::int64_t steps : {1, 8, 64}) {
-                const Comparison found =
+                const TruthComparison found =
                     compare("distance_map", {{"max_steps", steps}, {"slices", slices}}, scene, view);
                 std::size_t beyond = 0;
                 for (std::size_t pixel = 0; pixel < found.truth.hits.texels.size(); ++pixel) {
@@ -120,7 +120,8 @@ TEST_F(DistanceMap, StopsShortOfAPlaneByHalfAVoxel) {
     constexpr double plane = 0.25;
     constexpr int slices = 16;
     const CoordinateScene scene(device(), map_of({64, 64}, [](int, int) { return plane; }));
-    const Comparison found = compare("distance_map", {{"max_steps", std::int64_t{512}}}, scene, parallel_view(60, -70));
+    const TruthComparison found =
+        compare("distance_map", {{"max_steps", std::int64_t{512}}}, scene, parallel_view(60, -70));
     const double half_diagonal = std::hypot(1.0 / 64, 1.0 / 64, metric_height / slices) / 2;
     const double stop = plane + half_diagonal / metric_height;
     const double slice_below = (std::floor(stop * slices - 0.5) + 0.5) / slices;

@@ -30,7 +30,7 @@ constexpr double level_tolerance = 1e-4;
 
 TEST_F(LodFade, BeyondItsEndNothingIsSearchedFor) {
     for (const std::string technique : {"pom", "parallax", "qdm"}) {
-        const Comparison found = compare(technique, by_mip(), scene_, view_of_level(3.01));
+        const TruthComparison found = compare(technique, by_mip(), scene_, view_of_level(3.01));
         for (const Hit& hit : found.probe.hits.texels)
             ASSERT_EQ(hit.h, 1) << technique;
         for (const PixelWork& work : found.probe.work.texels)
@@ -41,8 +41,8 @@ TEST_F(LodFade, BeyondItsEndNothingIsSearchedFor) {
 
 TEST_F(LodFade, BeforeItsBeginningItChangesNothing) {
     for (const std::string technique : {"pom", "parallax", "qdm"}) {
-        const Comparison off = compare(technique, {}, scene_, view_of_level(1.99));
-        const Comparison on = compare(technique, by_mip(), scene_, view_of_level(1.99));
+        const TruthComparison off = compare(technique, {}, scene_, view_of_level(1.99));
+        const TruthComparison on = compare(technique, by_mip(), scene_, view_of_level(1.99));
         EXPECT_EQ(on.probe.hits.texels, off.probe.hits.texels) << technique;
         EXPECT_EQ(on.probe.colour.texels, off.probe.colour.texels) << technique;
     }
@@ -53,8 +53,8 @@ TEST_F(LodFade, BetweenThemCoordinatesAreInterpolatedTowardsTheEntry) {
     constexpr double fade = 0.25;
     const View view = view_of_level(2 + fade);
     for (const std::string technique : {"pom", "parallax", "qdm"}) {
-        const Comparison off = compare(technique, {}, scene_, view);
-        const Comparison on = compare(technique, by_mip(), scene_, view);
+        const TruthComparison off = compare(technique, {}, scene_, view);
+        const TruthComparison on = compare(technique, by_mip(), scene_, view);
         for (int j = 0; j < view.resolution.height; ++j) {
             for (int i = 0; i < view.resolution.width; ++i) {
                 const Hit& relief = off.probe.hits.at(i, j);
@@ -71,8 +71,8 @@ TEST_F(LodFade, BetweenThemCoordinatesAreInterpolatedTowardsTheEntry) {
 TEST_F(LodFade, ByDistanceItFollowsTheEye) {
     View view = perspective_view(60);
     view.relief.boundary = Boundary::repeat;
-    const Comparison off = compare("pom", {}, scene_, view);
-    const Comparison on = compare(
+    const TruthComparison off = compare("pom", {}, scene_, view);
+    const TruthComparison on = compare(
         "pom", {{"lod_fade", std::string("distance")}, {"lod_fade_end", 1.6}, {"lod_fade_width", 0.2}}, scene_, view);
     int near = 0;
     int far = 0;
@@ -102,7 +102,7 @@ TEST_F(LodFade, ItsCostFallsAndItsErrorRisesAsItComesNearer) {
     double taps = INFINITY;
     double error = 0;
     for (const double end : {3.0, 1.7, 1.4, 1.0}) {
-        const Comparison found =
+        const TruthComparison found =
             compare("pom", {{"lod_fade", std::string("distance")}, {"lod_fade_end", end}, {"lod_fade_width", 0.2}},
                     scene_, view);
         double sum = 0;

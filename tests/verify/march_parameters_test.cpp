@@ -57,8 +57,8 @@ TEST_F(MarchParameters, EveryRefinementIsOneOfEveryMarch) {
         const Manifest manifest = shipped(technique).manifest;
         EXPECT_EQ(manifest.defaults().at("refinement"), ParameterValue(std::string(refinement)));
         ParameterValues values = manifest.defaults();
-        const Comparison own = compare(technique, {}, rock, view);
-        const Comparison through_steep = compare("steep", values, rock, view);
+        const TruthComparison own = compare(technique, {}, rock, view);
+        const TruthComparison through_steep = compare("steep", values, rock, view);
         EXPECT_EQ(own.probe.hits.texels, through_steep.probe.hits.texels) << technique;
         values["refinement"] = std::string("none");
         EXPECT_NE(own.probe.hits.texels, compare(technique, values, rock, view).probe.hits.texels) << technique;
@@ -116,8 +116,8 @@ TEST_F(MarchParameters, FractionalCountsEndWithAThinnerLayer) {
               31U);
     // Between the last layer but one and the last a chord is exact on a plane, however thin the layer.
     const CoordinateScene low(device(), map_of({16, 16}, [](int, int) { return 0.001; }));
-    const Comparison found = compare("pom", with(ten_to_fifty_one, {{"step_rounding", std::string("fractional")}}), low,
-                                     repeating(parallel_view(60)));
+    const TruthComparison found = compare("pom", with(ten_to_fifty_one, {{"step_rounding", std::string("fractional")}}),
+                                          low, repeating(parallel_view(60)));
     EXPECT_NEAR(found.probe.hits.at(40, 40).h, 0.001, 2e-5);
 }
 
@@ -132,7 +132,7 @@ TEST_F(MarchParameters, FractionalCountsShowNoBands) {
     ParameterValues values{{"min_steps", std::int64_t{4}}, {"max_steps", std::int64_t{16}}};
     const auto jump = [&](const std::string& rounding) {
         values["step_rounding"] = rounding;
-        const Comparison found = compare("pom", values, waves, view);
+        const TruthComparison found = compare("pom", values, waves, view);
         return largest_jump(uv_error_map(found.probe.hits, found.truth.hits, waves.map, view.relief));
     };
     // What is left is the error's slope within a band.
@@ -165,9 +165,9 @@ TEST_F(MarchParameters, GradientsOfTheEntryAndOneLevelForAllStepsAgree) {
     const CoordinateScene rock(device(), procedural("rock", {100, 60}));
     View view = repeating(parallel_view(60, -70));
     view.relief.tiling = 4;
-    const Comparison level = compare("pom", {{"height_lod", std::string("entry")}}, rock, view);
-    const Comparison gradients = compare("pom", {{"height_lod", std::string("gradients")}}, rock, view);
-    const Comparison zero = compare("pom", {}, rock, view);
+    const TruthComparison level = compare("pom", {{"height_lod", std::string("entry")}}, rock, view);
+    const TruthComparison gradients = compare("pom", {{"height_lod", std::string("gradients")}}, rock, view);
+    const TruthComparison zero = compare("pom", {}, rock, view);
     double from_level = 0;
     double from_zero = 0;
     for (std::size_t i = 0; i < level.probe.hits.texels.size(); ++i) {
@@ -206,7 +206,7 @@ TEST_F(MarchParameters, ExactFilteringReachesTheTruthWhereTheSamplerDoesNot) {
         {"adaptive", false}, {"max_steps", std::int64_t{256}}, {"height_filter", std::string("hardware")}};
     const double hardware = compare("pom", values, waves, view).errors.uv_texels->p95;
     values["height_filter"] = std::string("exact");
-    const Comparison exact = compare("pom", values, waves, view);
+    const TruthComparison exact = compare("pom", values, waves, view);
     EXPECT_LT(exact.errors.uv_texels->p95, 0.002);
     // A device whose sampler is exact has nothing to lose.
     const double deviation = measure_filter_deviation(device(), HeightFormat::r8);

@@ -19,7 +19,7 @@ protected:
                        double tolerance, const std::function<glm::dvec2(glm::dvec3 direction)>& offset) {
         for (View view : {parallel_view(60, -70), perspective_view(50, 25)}) {
             view.relief.tiling = 2;
-            const Comparison found = compare(technique, changed, scene_, view);
+            const TruthComparison found = compare(technique, changed, scene_, view);
             std::size_t hits = 0;
             for (int j = 0; j < view.resolution.height; ++j) {
                 for (int i = 0; i < view.resolution.width; ++i) {

@@ -45,7 +45,7 @@ protected:
     /// Fraction of the footprint in which the answer lies more than half a texel beyond the first hit.
     static double beyond(const std::string& technique, const ParameterValues& changed, const CoordinateScene& scene,
                          const View& view) {
-        const Comparison found = compare(technique, changed, scene, view);
+        const TruthComparison found = compare(technique, changed, scene, view);
         return static_cast<double>(pixels_beyond(found, scene.map, view, filter_deviation)) /
                static_cast<double>(found.errors.footprint);
     }

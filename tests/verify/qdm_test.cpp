@@ -37,7 +37,7 @@ protected:
     }
 
     static void expect_first_hits(const CoordinateScene& scene, const View& view, const std::string& what) {
-        const Comparison found = compare("qdm", {{"leaf", "exact"}}, scene, view);
+        const TruthComparison found = compare("qdm", {{"leaf", "exact"}}, scene, view);
         ASSERT_TRUE(found.errors.uv_texels) << what;
         EXPECT_LT(found.errors.uv_texels->p99, 0.01) << what;
         EXPECT_LT(found.errors.missed + found.errors.false_hits, 0.005) << what;
@@ -75,7 +75,7 @@ TEST_F(Qdm, LinearLeafIsWithinHalfATexelInTheMedian) {
     for (const ProceduralMap& map : procedural_maps()) {
         const CoordinateScene scene(device(), procedural(map.name, {128, 128}));
         for (const double angle : {0.0, 45.0, 75.0, 85.0}) {
-            const Comparison found = compare("qdm", {{"leaf", "linear"}}, scene, parallel_view(angle, -70));
+            const TruthComparison found = compare("qdm", {{"leaf", "linear"}}, scene, parallel_view(angle, -70));
             ASSERT_TRUE(found.errors.uv_texels);
             EXPECT_LT(found.errors.uv_texels->p50, 0.5) << map.name << " at " << angle;
             EXPECT_LT(found.errors.missed + found.errors.false_hits, 0.005) << map.name << " at " << angle;
@@ -89,7 +89,7 @@ TEST_F(Qdm, LinearLeafMissesNoThinFeature) {
     const CoordinateScene scene(device(), procedural("spikes", {128, 128}));
     View view = parallel_view(60, -70);
     view.resolution = {256, 256};
-    const Comparison found = compare("qdm", {{"leaf", "linear"}}, scene, view);
+    const TruthComparison found = compare("qdm", {{"leaf", "linear"}}, scene, view);
     const Image<float> errors = uv_error_map(found.probe.hits, found.truth.hits, scene.map, view.relief);
     constexpr float ground = 0.35F;
     constexpr float same_place_texels = 2;
@@ -130,7 +130,7 @@ TEST_F(Qdm, LinearLeafMissesNoThinFeature) {
 /// A search ended by its cap says so, and its pixels stay covered.
 TEST_F(Qdm, ACapIsReported) {
     const CoordinateScene scene(device(), procedural("rock", {128, 128}));
-    const Comparison found = compare("qdm", {{"max_steps", std::int64_t{8}}}, scene, parallel_view(75));
+    const TruthComparison found = compare("qdm", {{"max_steps", std::int64_t{8}}}, scene, parallel_view(75));
     EXPECT_GT(unconverged(found.probe), 100U);
     for (const PixelWork& work : found.probe.work.texels)
         EXPECT_LE(work.steps, 8U);
@@ -156,8 +156,8 @@ TEST_F(Qdm, OnACoarseLevelTheExactLeafIsTheSurfaceOfThatLevelsCorners) {
     const CoordinateScene scene(device(), map_of(size, height));
     for (View view : {parallel_view(75, -70), perspective_view(60, 25)}) {
         view.relief.tiling = 3;
-        const Comparison fine = compare("qdm", {}, scene, view);
-        const Comparison coarse = compare("qdm", {{"finest_level", std::int64_t{2}}}, scene, view);
+        const TruthComparison fine = compare("qdm", {}, scene, view);
+        const TruthComparison coarse = compare("qdm", {{"finest_level", std::int64_t{2}}}, scene, view);
         ASSERT_TRUE(coarse.errors.uv_texels);
         EXPECT_LT(coarse.errors.uv_texels->p99, 0.01);
         EXPECT_LE(coarse.errors.missed + coarse.errors.false_hits, 0.001);
@@ -170,12 +170,13 @@ TEST_F(Qdm, TheLevelByMipIsTheSamplers) {
     const CoordinateScene scene(device(), procedural("rock", {128, 128}));
     View view = parallel_view(60, -70);
     view.relief.tiling = 3.5;
-    const Comparison by_mip = compare("qdm", {{"level_by_mip", true}}, scene, view);
-    const Comparison fixed = compare("qdm", {{"finest_level", std::int64_t{2}}}, scene, view);
+    const TruthComparison by_mip = compare("qdm", {{"level_by_mip", true}}, scene, view);
+    const TruthComparison fixed = compare("qdm", {{"finest_level", std::int64_t{2}}}, scene, view);
     EXPECT_EQ(by_mip.probe.hits.texels, fixed.probe.hits.texels);
     // The coarser of the two bounds holds.
-    const Comparison both = compare("qdm", {{"level_by_mip", true}, {"finest_level", std::int64_t{3}}}, scene, view);
-    const Comparison coarser = compare("qdm", {{"finest_level", std::int64_t{3}}}, scene, view);
+    const TruthComparison both =
+        compare("qdm", {{"level_by_mip", true}, {"finest_level", std::int64_t{3}}}, scene, view);
+    const TruthComparison coarser = compare("qdm", {{"finest_level", std::int64_t{3}}}, scene, view);
     EXPECT_EQ(both.probe.hits.texels, coarser.probe.hits.texels);
     EXPECT_NE(both.probe.hits.texels, fixed.probe.hits.texels);
 }
@@ -203,8 +204,8 @@ TEST_F(Qdm, TheCapFollowsTheViewAngle) {
 TEST_F(Qdm, WithoutTheAscentItFindsTheSameInMoreSteps) {
     const CoordinateScene scene(device(), map_of({256, 64}, [](int x, int) { return x == 128 ? 0.95 : 0.0; }));
     const View view = parallel_view(80, 0);
-    const Comparison ascending = compare("qdm", {}, scene, view);
-    const Comparison level = compare("qdm", {{"ascend", false}}, scene, view);
+    const TruthComparison ascending = compare("qdm", {}, scene, view);
+    const TruthComparison level = compare("qdm", {{"ascend", false}}, scene, view);
     ASSERT_TRUE(level.errors.uv_texels);
     EXPECT_LT(level.errors.uv_texels->p99, 0.01);
     EXPECT_EQ(level.errors.missed + level.errors.false_hits, 0);
@@ -215,7 +216,7 @@ TEST_F(Qdm, WithoutTheAscentItFindsTheSameInMoreSteps) {
 TEST_F(Qdm, WithoutALeafItStopsOnTheCellsBox) {
     const CoordinateScene scene(device(), procedural("rock", {128, 128}));
     const View view = parallel_view(60, -90);
-    const Comparison found = compare("qdm", {{"leaf", "none"}}, scene, view);
+    const TruthComparison found = compare("qdm", {{"leaf", "none"}}, scene, view);
     ASSERT_TRUE(found.errors.uv_texels);
     EXPECT_LE(found.errors.uv_texels->p50, 1.5);
     EXPECT_GT(found.errors.uv_texels->p50, 0.01);
@@ -225,7 +226,7 @@ TEST_F(Qdm, WithoutALeafItStopsOnTheCellsBox) {
 /// Seen head-on a ray stays in its cell: one tap of its four corners.
 TEST_F(Qdm, OneTapHeadOn) {
     const CoordinateScene scene(device(), procedural("rock", {128, 128}));
-    const Comparison found = compare("qdm", {}, scene, parallel_view(0));
+    const TruthComparison found = compare("qdm", {}, scene, parallel_view(0));
     for (const PixelWork& work : found.probe.work.texels) {
         EXPECT_EQ(work.taps, 1U);
         EXPECT_EQ(work.texels, 4U);

@@ -37,7 +37,7 @@ protected:
     }
 
     /// Texture coordinates from the ray's entry to the hit, for each hit.
-    static std::vector<glm::dvec2> offsets(const Comparison& found, const View& view) {
+    static std::vector<glm::dvec2> offsets(const TruthComparison& found, const View& view) {
         std::vector<glm::dvec2> all;
         for (int j = 0; j < view.resolution.height; ++j) {
             for (int i = 0; i < view.resolution.width; ++i) {
@@ -80,7 +80,7 @@ protected:
         constexpr int samples = 6;
         for (View view : {repeating(parallel_view(65, -70)), repeating(perspective_view(50, 25))}) {
             view.relief.tiling = 1.5;
-            const Comparison found =
+            const TruthComparison found =
                 compare(technique, {{"adaptive", false}, {"max_steps", std::int64_t{samples}}}, rock_, view);
             int compared = 0;
             for (int j = 0; j < view.resolution.height; ++j) {
@@ -206,7 +206,7 @@ TEST_F(SourceDocuments, LunaMissedPeaksShowAndFallAsStepsRise) {
     for (const std::string technique : {"steep", "relief", "pom"}) {
         std::vector<double> missed;
         for (const std::int64_t steps : {8, 16, 32, 64, 128}) {
-            const Comparison found = compare(technique, {{"adaptive", false}, {"max_steps", steps}}, spikes, view);
+            const TruthComparison found = compare(technique, {{"adaptive", false}, {"max_steps", steps}}, spikes, view);
             const Image<float> errors = uv_error_map(found.probe.hits, found.truth.hits, spikes.map, view.relief);
             // More than a step and a texel off: not imprecise, but another feature.
             const double another_feature = stride / static_cast<double>(steps) + 1;
@@ -224,8 +224,8 @@ TEST_F(SourceDocuments, LunaMissedPeaksShowAndFallAsStepsRise) {
 TEST_F(SourceDocuments, LunaTessellationDisplacesToTheSameSurface) {
     const CoordinateScene waves(device(), procedural("waves", {64, 64}));
     const View view = perspective_view(50, -70);
-    const Comparison pom = compare("pom", {{"adaptive", false}, {"max_steps", std::int64_t{128}}}, waves, view);
-    const Comparison tessellated = compare("tessellation", {}, waves, view);
+    const TruthComparison pom = compare("pom", {{"adaptive", false}, {"max_steps", std::int64_t{128}}}, waves, view);
+    const TruthComparison tessellated = compare("tessellation", {}, waves, view);
     EXPECT_LT(pom.errors.uv_texels->p95, 0.1);
     EXPECT_LT(tessellated.errors.uv_texels->p95, 0.1);
     const Image<float> apart = uv_error_map(pom.probe.hits, tessellated.probe.hits, waves.map, view.relief);
@@ -342,7 +342,7 @@ TEST_F(Shaded, RizNormalMappingLightsThePolygonWithTheReliefsNormals) {
 TEST_F(SourceDocuments, RizParallaxScalesByFourHundredthsAndBiasesByTwo) {
     View view = repeating(parallel_view(55, 25));
     view.relief.height_scale = 0.04;
-    const Comparison found =
+    const TruthComparison found =
         compare("parallax", {{"offset_limiting", true}, {"scale", 1.0}, {"bias", 0.5}}, rock_, view);
     for (int j = 0; j < view.resolution.height; ++j) {
         for (int i = 0; i < view.resolution.width; ++i) {

@@ -53,7 +53,7 @@ View view_of_seams() {
     return view;
 }
 
-std::size_t holes(const Comparison& found) {
+std::size_t holes(const TruthComparison& found) {
     std::size_t count = 0;
     for (std::size_t pixel = 0; pixel < found.truth.footprint.texels.size(); ++pixel)
         count += found.truth.footprint.texels[pixel] != 0 && !found.probe.hits.texels[pixel].is_hit() ? 1 : 0;
@@ -69,7 +69,7 @@ TEST_F(Tessellation, DepthErrorFallsWithEachDoublingUpToTexelSpacing) {
             double before = INFINITY;
             for (const auto& [patches, factor] :
                  {std::pair{1, 8}, std::pair{1, 16}, std::pair{1, 32}, std::pair{2, 32}, std::pair{2, 64}}) {
-                const Comparison found = compare("tessellation", grid(patches, factor), scene, view);
+                const TruthComparison found = compare("tessellation", grid(patches, factor), scene, view);
                 ASSERT_TRUE(found.errors.depth);
                 EXPECT_LT(found.errors.depth->p50, before) << name << " " << patches << "·" << factor;
                 before = found.errors.depth->p50;
@@ -85,7 +85,7 @@ TEST_F(Tessellation, AtTexelSpacingTheErrorIsWithinTheTwistBound) {
     for (const auto& [name, side] : {std::pair{"rock", 128}, {"spikes", 128}, {"steps", 128}, {"rock", 320}}) {
         const CoordinateScene scene(device(), procedural(name, {side, side}));
         const View view = parallel_view(0);
-        const Comparison found = compare("tessellation", {}, scene, view);
+        const TruthComparison found = compare("tessellation", {}, scene, view);
         // Vertices snap to 1/256 pixel, which moves a slope of the full height per texel by as many texels.
         const double snapping = static_cast<double>(side) / view.resolution.width / 256;
         std::size_t compared = 0;
@@ -210,7 +210,7 @@ TEST_F(Tessellation, CullingByThePolygonAloneChangesThePicture) {
     View view = view_of_seams();
     view.camera.distance = 0.35;
     const ParameterValues settings{{"patches", std::int64_t{24}}, {"factor", std::int64_t{6}}, {"cull", true}};
-    const Comparison broken =
+    const TruthComparison broken =
         compare_with_truth(device(), copy.technique(), with_values(copy.technique().manifest, settings), scene, view);
     EXPECT_NE(broken.probe.hits.texels, compare("tessellation", settings, scene, view).probe.hits.texels);
 }
@@ -223,13 +223,13 @@ TEST_F(Tessellation, TrianglesAndGrowingSegmentsShowTheSameSurface) {
                        {{"domain", domain}, {"spacing", spacing}, {"factor", factor}, {"patches", std::int64_t{4}}},
                        scene, view);
     };
-    const Comparison quads = hits("quads", "equal", 16);
+    const TruthComparison quads = hits("quads", "equal", 16);
     ASSERT_TRUE(quads.errors.uv_texels);
     // An even number of segments of a side are even segments.
     EXPECT_EQ(hits("quads", "fractional_even", 16).probe.hits.texels, quads.probe.hits.texels);
     for (const auto& [domain, spacing] :
          {std::pair{"triangles", "equal"}, {"quads", "fractional_odd"}, {"triangles", "fractional_odd"}}) {
-        const Comparison found = hits(domain, spacing, 32);
+        const TruthComparison found = hits(domain, spacing, 32);
         ASSERT_TRUE(found.errors.uv_texels);
         EXPECT_LT(found.errors.uv_texels->p95, 1.5 * quads.errors.uv_texels->p95) << domain << ' ' << spacing;
         EXPECT_GT(found.errors.coverage_iou, 0.99) << domain << ' ' << spacing;

@@ -19,7 +19,7 @@ protected:
 
     void expect_no_false_hits(const CoordinateScene& scene, const View& view, const std::string& what) {
         for (const Subject& subject : exact_techniques()) {
-            const Comparison found = compare(subject.technique, subject.parameters, scene, view);
+            const TruthComparison found = compare(subject.technique, subject.parameters, scene, view);
             const std::string where =
                 fmt::format("{} on {}, {} pixels to {} texels, at {}°, azimuth {}, {}", subject.technique, what,
                             view.resolution.width, scene.map.width(), view.camera.view_angle, view.camera.azimuth,

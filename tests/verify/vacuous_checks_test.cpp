@@ -148,7 +148,7 @@ TEST_F(VacuousChecks, AFailureNamesItsWorstPixel) {
                           "}\n"
                           "Trace found_by_search(ReliefRay ray) {");
     const CoordinateScene scene(device(), procedural("rock", {64, 64}));
-    const Comparison found = compare_with_truth(
+    const TruthComparison found = compare_with_truth(
         device(), copy.technique(), with_values(copy.technique().manifest, {{"leaf", std::string("exact")}}), scene,
         parallel_view(75, 20));
     EXPECT_EQ(worst_place(found, scene.map, parallel_view(75, 20), false), (PixelPlace{40, 50}));

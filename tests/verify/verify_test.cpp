@@ -38,8 +38,8 @@ std::unique_ptr<gpu::Device>& VerifyTest::shared_device() {
     return device;
 }
 
-Comparison VerifyTest::compare(const std::string& technique, const ParameterValues& changed,
-                               const CoordinateScene& scene, const View& view) {
+TruthComparison VerifyTest::compare(const std::string& technique, const ParameterValues& changed,
+                                    const CoordinateScene& scene, const View& view) {
     const Technique subject = shipped(technique);
     return compare_with_truth(device(), subject, with_values(subject.manifest, changed), scene, view);
 }

@@ -26,8 +26,8 @@ protected:
     static const gpu::Device& device() { return *shared_device(); }
 
     /// Draws a shipped technique and compares it with the exact truth.
-    static Comparison compare(const std::string& technique, const ParameterValues& changed,
-                              const CoordinateScene& scene, const View& view);
+    static TruthComparison compare(const std::string& technique, const ParameterValues& changed,
+                                   const CoordinateScene& scene, const View& view);
 
 private:
     static std::unique_ptr<gpu::Device>& shared_device();

@@ -57,7 +57,7 @@ double texels_apart(const Hit& a, const Hit& b, Resolution texels) {
 }
 
 /// Fraction of the footprint in which only one hits, or both and more than `tolerance` texels apart.
-double fraction_apart(const Comparison& a, const Comparison& b, Resolution texels, double tolerance) {
+double fraction_apart(const TruthComparison& a, const TruthComparison& b, Resolution texels, double tolerance) {
     std::size_t apart = 0;
     for (std::size_t pixel = 0; pixel < a.truth.footprint.texels.size(); ++pixel) {
         if (a.truth.footprint.texels[pixel] == 0) continue;
@@ -71,8 +71,8 @@ double fraction_apart(const Comparison& a, const Comparison& b, Resolution texel
 
 class Wrap : public VerifyTest, public testing::WithParamInterface<std::string> {
 protected:
-    static void expect_same(bool to_rounding, const Comparison& wrapped, const Comparison& copies, Resolution texels,
-                            const std::string& what) {
+    static void expect_same(bool to_rounding, const TruthComparison& wrapped, const TruthComparison& copies,
+                            Resolution texels, const std::string& what) {
         ASSERT_TRUE(wrapped.errors.uv_texels && copies.errors.uv_texels) << what;
         const Summary& error = *wrapped.errors.uv_texels;
         const Summary& expected = *copies.errors.uv_texels;
@@ -109,10 +109,10 @@ TEST_P(Wrap, IsNoWorseThanTheSameContentWithoutOne) {
         for (const Boundary boundary : {Boundary::clip, Boundary::repeat}) {
             for (View view : {parallel_view(70, -67), perspective_view(60, 25)}) {
                 view.relief.boundary = boundary;
-                const Comparison expected =
+                const TruthComparison expected =
                     compare_with_truth(device(), technique, in_longer_coordinates(values), copies, view);
                 view.relief.tiling = repeats;
-                const Comparison wrapped = compare_with_truth(device(), technique, values, once, view);
+                const TruthComparison wrapped = compare_with_truth(device(), technique, values, once, view);
                 expect_same(answers_are_the_surfaces(technique.manifest, values), wrapped, expected, texels,
                             fmt::format("{}; {}, {}", describe(values, technique.manifest),
                                         to_string(view.camera.projection), to_string(boundary)));
