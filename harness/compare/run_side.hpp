@@ -12,7 +12,7 @@
 namespace reliefbench {
 
 /// The pass whose time is compared.
-constexpr const char* compared_pass = "draw";
+inline constexpr const char* compared_pass = draw_pass;
 
 /// Which of a pass's figures stands for a run: the lower quartile where all that are compared have it.
 enum class Figure { lower_quartile, median };

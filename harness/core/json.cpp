@@ -128,6 +128,10 @@ Json read_json_file(const std::filesystem::path& path) {
     return parse_json(read_text_file(path, largest_json_file), path.string());
 }
 
+Json finite_or_null(const std::optional<double>& value) {
+    return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
 JsonView::JsonView(const Json& value, std::string file, std::string path)
     : value_(&value), file_(std::move(file)), path_(std::move(path)) {}
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,9 @@ using Json = nlohmann::ordered_json;
 /// `file` and the position.
 Json parse_json(std::string_view text, const std::string& file);
 Json read_json_file(const std::filesystem::path& path);
+
+/// JSON has neither infinity nor NaN: null, as for no value.
+Json finite_or_null(const std::optional<double>& value);
 
 /// A JSON value together with where it stands, so that every complaint names file, JSON path and what was expected.
 /// Reading is strict: a wrong type or a value out of range is an Error. Refers to the value; does not own it.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "measure/subject.hpp"
+#include "store/cell_result.hpp"
 #include "sweep/configuration.hpp"
 #include "technique/renderer.hpp"
 
@@ -8,9 +9,6 @@
 #include <vector>
 
 namespace reliefbench {
-
-/// Name of the draw among a cell's passes.
-inline constexpr const char* draw_pass = "draw";
 
 /// `samples` timings of `repeats` draws each, in milliseconds per draw: Renderer::time_draw, or a fake of it.
 using TimeDraw = std::function<std::vector<double>(int samples, int repeats)>;

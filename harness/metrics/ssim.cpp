@@ -18,20 +18,20 @@ constexpr double deviation = 1.5;
 constexpr double c1 = 0.01 * 0.01;
 constexpr double c2 = 0.03 * 0.03;
 
-using Window = std::array<double, 2 * radius + 1>;
+using Weights = std::array<double, 2 * radius + 1>;
 
-Window make_window() {
-    Window window{};
+Weights gaussian_weights() {
+    Weights weights{};
     double sum = 0;
     for (int x = -radius; x <= radius; ++x) {
-        double& weight = window[static_cast<std::size_t>(x + radius)];
+        double& weight = weights[static_cast<std::size_t>(x + radius)];
         weight = std::exp(-x * x / (2 * deviation * deviation));
         sum += weight;
     }
-    for (double& weight : window) {
+    for (double& weight : weights) {
         weight /= sum;
     }
-    return window;
+    return weights;
 }
 
 /// The index inside an axis of `count` texels that mirrors to `index`.
@@ -71,7 +71,7 @@ double similarity(const Moments& mean) {
 Image<double> ssim_map(const Image<double>& first, const Image<double>& second) {
     assert(first.size == second.size);
     constexpr std::size_t strip_rows = 16;
-    const Window window = make_window();
+    const Weights weights = gaussian_weights();
     const int width = first.size.width;
     const int height = first.size.height;
     Image<Moments> along_y(first.size);
@@ -82,7 +82,7 @@ Image<double> ssim_map(const Image<double>& first, const Image<double>& second) 
             for (int tap = -radius; tap <= radius; ++tap) {
                 const int source = mirrored(y + tap, height);
                 for (int x = 0; x < width; ++x) {
-                    along_y.at(x, y).add(window[static_cast<std::size_t>(tap + radius)],
+                    along_y.at(x, y).add(weights[static_cast<std::size_t>(tap + radius)],
                                          moments_of(first.at(x, source), second.at(x, source)));
                 }
             }
@@ -93,7 +93,7 @@ Image<double> ssim_map(const Image<double>& first, const Image<double>& second) 
             for (int x = 0; x < width; ++x) {
                 Moments mean;
                 for (int tap = -radius; tap <= radius; ++tap) {
-                    mean.add(window[static_cast<std::size_t>(tap + radius)], along_y.at(mirrored(x + tap, width), y));
+                    mean.add(weights[static_cast<std::size_t>(tap + radius)], along_y.at(mirrored(x + tap, width), y));
                 }
                 map.at(x, y) = similarity(mean);
             }

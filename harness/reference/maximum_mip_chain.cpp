@@ -5,11 +5,6 @@
 #include <algorithm>
 
 namespace reliefbench {
-namespace {
-
-constexpr std::size_t rows_per_task = 32;
-
-}  // namespace
 
 MaximumMipChain::MaximumMipChain(const HeightMap& map) {
     Level level{0, static_cast<std::size_t>(map.width()), static_cast<std::size_t>(map.height())};
@@ -35,6 +30,7 @@ void MaximumMipChain::fill_first_level(const HeightMap& map) {
     const auto texel_row = [&](std::size_t row) {
         return map.heights.texels.data() + (row % cells.rows) * cells.columns;
     };
+    constexpr std::size_t rows_per_task = 32;
     parallel_for(level.rows, rows_per_task, [&](std::size_t begin, std::size_t end) {
         std::vector<float> column_maxima(cells.columns + 2);
         for (std::size_t row = begin; row < end; ++row) {

@@ -12,8 +12,6 @@
 namespace reliefbench {
 namespace {
 
-constexpr std::size_t rows_per_task = 4;
-
 using Clock = std::chrono::steady_clock;
 
 double milliseconds_since(Clock::time_point start) {
@@ -23,6 +21,7 @@ double milliseconds_since(Clock::time_point start) {
 /// Calls body(i, j) for every pixel, rows in parallel.
 template <typename Body>
 void for_each_pixel(Resolution resolution, const Body& body) {
+    constexpr std::size_t rows_per_task = 4;
     parallel_for(static_cast<std::size_t>(resolution.height), rows_per_task, [&](std::size_t begin, std::size_t end) {
         for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j) {
             for (int i = 0; i < resolution.width; ++i)

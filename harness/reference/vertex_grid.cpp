@@ -12,8 +12,6 @@ namespace {
 /// Three gigabytes of vertices.
 constexpr double most_vertices = 1 << 28;
 
-constexpr std::size_t rows_per_task = 16;
-
 }  // namespace
 
 VertexGrid enclosing_grid(const HeightMap& map, const Relief& relief, glm::dvec2 low, glm::dvec2 high,
@@ -40,6 +38,7 @@ VertexGrid enclosing_grid(const HeightMap& map, const Relief& relief, glm::dvec2
 
 void displace(const HeightMap& map, const Relief& relief, const VertexGrid& grid, std::span<Vertex> vertices) {
     assert(vertices.size() >= grid.vertices());
+    constexpr std::size_t rows_per_task = 16;
     parallel_for(static_cast<std::size_t>(grid.rows), rows_per_task, [&](std::size_t begin, std::size_t end) {
         for (std::size_t row = begin; row < end; ++row) {
             const double v = (grid.first_row + static_cast<double>(row) / grid.subdivision + 0.5) / map.height();

@@ -19,7 +19,7 @@ namespace {
 /// Settings named that cannot be told from the best.
 constexpr std::size_t settings_named = 3;
 constexpr std::size_t indent = 2;
-constexpr std::string_view legend =
+constexpr std::string_view advice_legend =
     "ms: median of the draw in the worst view; ns/pixel: per covered pixel; errors are those of the worst view";
 
 bool is_draw_time(const FigureDeclaration& figure) {
@@ -178,29 +178,25 @@ std::string format_table(const Advice& advice, std::size_t columns) {
         }
         text += '\n';
     }
-    text += indented(legend, 0, columns);
+    text += indented(advice_legend, 0, columns);
     if (advice.flip != RankingFlip::footprint) text += indented(caveat_of(advice.flip), 0, columns);
     return text;
-}
-
-Json number(const std::optional<double>& value) {
-    return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
 Json to_json(const Advice& advice, const AdvisedSetting& setting) {
     Json json;
     json["setting"] = setting.setting;
     json["technique"] = setting.technique;
-    json["ms"] = number(setting.ms);
-    json["ci95_ms"] = {number(setting.ci95_ms.low), number(setting.ci95_ms.high)};
-    json["ns_per_pixel"] = number(setting.ns_per_pixel);
-    json["relief_share"] = setting.relief_share
-                               ? Json{number(setting.relief_share->low), number(setting.relief_share->high)}
-                               : Json(nullptr);
-    json["wrong_hits"] = number(setting.wrong_hits);
+    json["ms"] = finite_or_null(setting.ms);
+    json["ci95_ms"] = {finite_or_null(setting.ci95_ms.low), finite_or_null(setting.ci95_ms.high)};
+    json["ns_per_pixel"] = finite_or_null(setting.ns_per_pixel);
+    json["relief_share"] = setting.relief_share ? Json{finite_or_null(setting.relief_share->low),
+                                                       finite_or_null(setting.relief_share->high)}
+                                                : Json(nullptr);
+    json["wrong_hits"] = finite_or_null(setting.wrong_hits);
     json["figures"] = Json::object();
     for (std::size_t at = 0; at < advice.figures.size(); ++at) {
-        json["figures"][std::string(advice.figures[at]->path)] = number(setting.figures[at]);
+        json["figures"][std::string(advice.figures[at]->path)] = finite_or_null(setting.figures[at]);
     }
     return json;
 }

@@ -9,13 +9,6 @@ namespace reliefbench {
 
 namespace {
 
-Json number(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-Json number(const std::optional<double>& value) {
-    return value ? number(*value) : Json(nullptr);
-}
-
 Json quality_to_json(const QualityComparison& quality) {
     Json json;
     json["verdict"] = to_string(quality.verdict);
@@ -34,13 +27,13 @@ Json cell_to_json(const CellComparison& cell, bool quality_only) {
         return json;
     }
     json["verdict"] = to_string(cell.verdict);
-    json["ratio"] = number(cell.time.ratio);
-    json["ci95"] = {number(cell.time.ci95.low), number(cell.time.ci95.high)};
-    json["visible"] = number(cell.time.visible);
+    json["ratio"] = finite_or_null(cell.time.ratio);
+    json["ci95"] = {finite_or_null(cell.time.ci95.low), finite_or_null(cell.time.ci95.high)};
+    json["visible"] = finite_or_null(cell.time.visible);
     json["reason"] = cell.reason;
-    json["p_slower"] = number(cell.time.p_slower);
-    json["p_faster"] = number(cell.time.p_faster);
-    json["p_unchanged"] = number(cell.time.p_unchanged);
+    json["p_slower"] = finite_or_null(cell.time.p_slower);
+    json["p_faster"] = finite_or_null(cell.time.p_faster);
+    json["p_unchanged"] = finite_or_null(cell.time.p_unchanged);
     json["units"] = cell.time.units;
     json["more"] = cell.time.more ? Json(*cell.time.more) : Json(nullptr);
     json["quality"] = quality_to_json(cell.quality);
@@ -82,12 +75,12 @@ Json deciding_figures_to_json(const std::vector<DecidingFigure>& figures) {
 Json quality_change_to_json(const QualityChange& change) {
     Json json;
     json["field"] = change.field;
-    json["base"] = number(change.base);
-    json["new"] = number(change.changed);
+    json["base"] = finite_or_null(change.base);
+    json["new"] = finite_or_null(change.changed);
     json["worse"] = change.worse;
     json["better"] = change.better;
     json["decides"] = change.decides;
-    json["tolerances"] = number(change.size());
+    json["tolerances"] = finite_or_null(change.size());
     json["text"] = quality_change_text(change);
     return json;
 }
@@ -102,7 +95,7 @@ Json comparison_without_cells(const Comparison& comparison) {
     json["summary"] = counts_to_json(comparison);
     json["deciding_figures"] = deciding_figures_to_json(comparison.deciding_figures);
     if (!comparison.quality_only) {
-        json["threshold"] = number(comparison.threshold);
+        json["threshold"] = finite_or_null(comparison.threshold);
         json["unit"] = comparison.unit;
     }
     json["environment"] = comparison.environment;

@@ -14,8 +14,6 @@ namespace {
 
 /// Rows of one table. Four tables of rows of up to about 300 characters stay below the limit of a comment.
 constexpr std::size_t most_rows = 50;
-/// Changed fields named for one cell.
-constexpr std::size_t fields_named = 3;
 
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -48,6 +46,7 @@ std::string format_changed(const Comparison& comparison) {
 }
 
 void add_changes(Rows& rows, const std::string& title, const std::vector<const CellComparison*>& cells) {
+    constexpr std::size_t fields_named = 3;
     for (const CellComparison* cell : cells) {
         std::string changes;
         for (const std::string& change : quality_change_texts(cell->quality, fields_named)) {

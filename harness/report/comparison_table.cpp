@@ -16,10 +16,9 @@ namespace reliefbench {
 
 namespace {
 
-constexpr std::size_t space_between = 2;
 /// Named without --all: changed fields of a cell, and cells under each reason for not being compared.
 constexpr std::size_t fields_named = 5;
-constexpr std::size_t cells_named = 3;
+constexpr std::size_t group_cells_named = 3;
 
 std::string format_verdict(const Comparison& comparison, Verdict verdict, std::size_t columns) {
     const std::vector<const CellComparison*> cells = cells_with(comparison, verdict);
@@ -79,7 +78,7 @@ std::string format_uncompared(const Comparison& comparison, const ComparisonTabl
         text += indented(fmt::format("{}, {}: {}", group.failed_now ? "failed now" : "not compared",
                                      counted(group.cells.size(), "cell"), group.reason),
                          0, options.columns);
-        const std::size_t named = options.all ? group.cells.size() : std::min(cells_named, group.cells.size());
+        const std::size_t named = options.all ? group.cells.size() : std::min(group_cells_named, group.cells.size());
         for (std::size_t cell = 0; cell < named; ++cell) {
             text += indented(group.cells[cell], 2 * space_between, options.columns);
         }

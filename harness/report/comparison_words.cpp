@@ -15,8 +15,6 @@ namespace reliefbench {
 
 namespace {
 
-constexpr const char* undefined = "-";
-
 /// Those of whom `is_wanted` says so, the largest change of the most important figure first.
 template <typename IsWanted>
 std::vector<const CellComparison*> changed_cells(const Comparison& comparison, IsWanted&& is_wanted) {

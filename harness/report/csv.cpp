@@ -17,7 +17,7 @@ namespace {
 /// With everything that is always there, so that columns do not depend on which cells failed.
 CellResult complete_cell() {
     CellResult cell;
-    cell.time["draw"] = {};
+    cell.time[draw_pass] = {};
     cell.work = CellResult::Work{};
     CellResult::Errors errors;
     errors.uv_texels = errors.depth = errors.normal_deg = Summary{};
@@ -91,7 +91,7 @@ std::string value_text(const Json& value) {
     return value.dump();
 }
 
-std::string row_line(const std::vector<std::string>& texts) {
+std::string csv_line(const std::vector<std::string>& texts) {
     std::string line;
     for (std::size_t column = 0; column < texts.size(); ++column) {
         line += (column == 0 ? "" : ",") + texts[column];
@@ -109,7 +109,7 @@ std::string cell_line(const CellResult& cell, const std::vector<std::string>& co
     for (const std::string& column : columns) {
         row.push_back(texts[column]);
     }
-    return row_line(row);
+    return csv_line(row);
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ std::string format_csv(const Run& run) {
         for (std::size_t cell = begin; cell < end; ++cell)
             lines[cell] = cell_line(run.cells[cell], names);
     });
-    std::string csv = row_line(titles);
+    std::string csv = csv_line(titles);
     for (const std::string& line : lines) {
         csv += line;
     }

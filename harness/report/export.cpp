@@ -31,7 +31,7 @@ std::string export_run(const std::filesystem::path& folder, ExportFormat format)
     const Run run = read_run(folder);
     switch (format) {
         case ExportFormat::google_benchmark:
-            return format_google_benchmark(run, read_round_medians(folder, "draw"));
+            return format_google_benchmark(run, read_round_medians(folder, draw_pass));
         case ExportFormat::github_action:
             return format_github_action(run);
         case ExportFormat::csv:

@@ -9,7 +9,6 @@ namespace reliefbench {
 
 namespace {
 
-constexpr std::size_t space_between = 2;
 /// The least that a cell's id gets: a terminal narrower than the figures and this is written over its edge.
 constexpr std::size_t narrowest_id = 24;
 

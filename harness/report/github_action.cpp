@@ -8,8 +8,6 @@ namespace reliefbench {
 
 namespace {
 
-constexpr const char* draw_pass = "draw";
-
 std::string extra_of(const CellResult& cell, const PassTiming& draw) {
     std::string extra = fmt::format("95 % interval of the median: {} to {} ms\n{} samples",
                                     significant(draw.ci95_ms.low, 4), significant(draw.ci95_ms.high, 4), draw.n);

@@ -14,7 +14,6 @@ namespace reliefbench {
 
 namespace {
 
-constexpr const char* draw_pass = "draw";
 /// compare.py prints times without decimals.
 constexpr const char* time_unit = "ns";
 constexpr double ns_per_ms = 1e6;

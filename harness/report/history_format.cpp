@@ -19,11 +19,10 @@ namespace reliefbench {
 
 namespace {
 
-constexpr const char* undefined = "-";
 /// Runs that a sparkline shows: the newest.
 constexpr std::size_t most_runs_drawn = 60;
 /// Cells named in a group that moved together.
-constexpr std::size_t cells_named = 5;
+constexpr std::size_t moved_cells_named = 5;
 
 /// The run as it is counted for people, from 1.
 std::size_t number_of(std::size_t run) {
@@ -58,10 +57,11 @@ std::string newest_ms(const CellHistory& cell) {
 
 std::vector<std::string> cells_of(const History& history, const MovedTogether& group) {
     std::vector<std::string> cells;
-    for (std::size_t index = 0; index < std::min(cells_named, group.cells.size()); ++index) {
+    for (std::size_t index = 0; index < std::min(moved_cells_named, group.cells.size()); ++index) {
         cells.push_back(history.cells[group.cells[index]].cell);
     }
-    if (group.cells.size() > cells_named) cells.push_back(fmt::format("and {} more", group.cells.size() - cells_named));
+    if (group.cells.size() > moved_cells_named)
+        cells.push_back(fmt::format("and {} more", group.cells.size() - moved_cells_named));
     return cells;
 }
 
@@ -121,23 +121,19 @@ std::string format_markdown(const History& history) {
     return text + markdown_table({"cell", "newest ms", "series", "changes"}, "lrll", rows);
 }
 
-Json number(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json cell_to_json(const CellHistory& cell) {
     Json json;
     json["cell"] = cell.cell;
     json["median_ms"] = Json::array();
     for (const std::optional<double>& value : cell.median_ms) {
-        json["median_ms"].push_back(value ? number(*value) : Json(nullptr));
+        json["median_ms"].push_back(value ? finite_or_null(*value) : Json(nullptr));
     }
     json["changes"] = Json::array();
     for (const ChangePoint& change : cell.changes) {
         json["changes"].push_back({{"run", change.run},
                                    {"previous", change.previous},
-                                   {"ratio", number(change.ratio)},
-                                   {"p", number(change.p)}});
+                                   {"ratio", finite_or_null(change.ratio)},
+                                   {"p", finite_or_null(change.p)}});
     }
     return json;
 }
@@ -159,8 +155,8 @@ std::string format_json(const History& history) {
         json["groups"].push_back({{"run", group.run},
                                   {"slower", group.slower},
                                   {"cells", std::move(cells)},
-                                  {"smallest_ratio", number(group.smallest_ratio)},
-                                  {"largest_ratio", number(group.largest_ratio)},
+                                  {"smallest_ratio", finite_or_null(group.smallest_ratio)},
+                                  {"largest_ratio", finite_or_null(group.largest_ratio)},
                                   {"text", group.text}});
     }
     json["record_changes"] = Json::array();

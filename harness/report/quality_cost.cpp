@@ -16,8 +16,6 @@ namespace reliefbench {
 
 namespace {
 
-constexpr const char* undefined = "-";
-
 /// What the Pareto front weighs against each other.
 const FigureDeclaration& front_cost() {
     static const FigureDeclaration& figure = *find_figure("time.draw.median_ms");

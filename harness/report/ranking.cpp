@@ -15,7 +15,7 @@ bool hits_within_limit(const CellResult& cell) {
 }
 
 const PassTiming* draw_timing(const CellResult& cell) {
-    const auto draw = cell.time.find("draw");
+    const auto draw = cell.time.find(draw_pass);
     return draw == cell.time.end() ? nullptr : &draw->second;
 }
 

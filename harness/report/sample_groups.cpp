@@ -26,7 +26,7 @@ SampleGroup summarize_group(int first_round, const std::vector<double>& ms) {
 RunSamples read_run_samples(const std::filesystem::path& folder) {
     RunSamples all;
     std::error_code ignored;
-    if (!std::filesystem::exists(folder / "samples.jsonl", ignored)) return all;
+    if (!std::filesystem::exists(folder / samples_file, ignored)) return all;
     read_samples(folder, [&](const RawSamples& samples) {
         std::vector<double>& ms = all[samples.pass][samples.cell][samples.round];
         ms.insert(ms.end(), samples.ms.begin(), samples.ms.end());

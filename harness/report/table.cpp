@@ -16,14 +16,13 @@ namespace reliefbench {
 
 namespace {
 
-constexpr std::size_t space_between = 2;
 /// Mark and a space.
 constexpr std::size_t mark_columns = 2;
 /// Room for names that columns give way to.
 constexpr std::size_t wanted_name_columns = 28;
 constexpr std::size_t variant_indent = 2;
 /// Cells named under each reason for which cells failed or were skipped.
-constexpr std::size_t cells_named = 3;
+constexpr std::size_t unmeasured_cells_named = 3;
 
 /// Titles of the columns that give way, the first first.
 constexpr std::array<std::string_view, 6> dispensable = {"depth p99", "ns/pixel", "prep ms",
@@ -35,7 +34,7 @@ constexpr std::string_view yellow = "\033[33m";
 constexpr std::string_view plain = "\033[0m";
 
 /// Takes what FLIP is of.
-constexpr const char* legend =
+constexpr const char* table_legend =
     "* nothing in the view is both faster and better (UV p99)\n"
     "! missed + false hits above 0.5 %: its errors do not count\n"
     "ms: median ± MAD of the draw; prep: making its maps; uv: texels; depth: patch sides;\n"
@@ -171,11 +170,11 @@ std::string format_reasons(const std::vector<CellResult>& cells, CellStatus stat
     std::string text;
     for (const auto& [reason, of_reason] : group_by_reason(cells, status)) {
         text += indented(fmt::format("{}, {}: {}", word, counted(of_reason.size(), "cell"), reason), 0, columns);
-        for (std::size_t cell = 0; cell < std::min(of_reason.size(), cells_named); ++cell) {
+        for (std::size_t cell = 0; cell < std::min(of_reason.size(), unmeasured_cells_named); ++cell) {
             text += indented(of_reason[cell]->cell, 4, columns);
         }
-        if (of_reason.size() > cells_named)
-            text += indented(fmt::format("and {} more", of_reason.size() - cells_named), 4, columns);
+        if (of_reason.size() > unmeasured_cells_named)
+            text += indented(fmt::format("and {} more", of_reason.size() - unmeasured_cells_named), 4, columns);
     }
     return text;
 }
@@ -198,7 +197,7 @@ std::string format_table(const std::vector<CellResult>& cells, const TableStyle&
         text += '\n';
     }
     if (!table.views.empty()) {
-        text += fmt::format(legend, extent_of(table.flip));
+        text += fmt::format(table_legend, extent_of(table.flip));
         if (table.flip != RankingFlip::footprint) text += indented(caveat_of(table.flip), 0, style.columns);
         if (style.colour) text += fmt::format(colour_legend, cyan, plain, yellow, plain);
         for (const std::string& caution : cautions(cells))

@@ -7,6 +7,11 @@
 
 namespace reliefbench {
 
+/// Stands where a figure has no value.
+inline constexpr const char* undefined = "-";
+/// Spaces between a table's columns.
+inline constexpr std::size_t space_between = 2;
+
 /// Terminal columns, one per code point.
 std::size_t text_width(std::string_view text);
 

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "scene/colour.hpp"
 #include "scene/image_file.hpp"
+#include "scene/raster_limits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,6 @@ namespace reliefbench {
 
 namespace {
 
-constexpr int largest_side = 16384;
-
 /// Linear RGB of the default albedo at height 0 and at height 1.
 constexpr std::array<double, 3> dark_stone{0.09, 0.07, 0.06};
 constexpr std::array<double, 3> light_stone{0.62, 0.57, 0.50};
@@ -22,7 +21,7 @@ float quantise_channel(double linear) {
     return quantise(std::clamp(linear, 0.0, 1.0), HeightFormat::r16);
 }
 
-void check_size(const std::string& name, Resolution size) {
+void check_albedo_size(const std::string& name, Resolution size) {
     if (size.width > largest_side || size.height > largest_side) {
         fail("albedo '{}' of {}x{}: each side must have at most {} texels; scale it down", name, size.width,
              size.height, largest_side);
@@ -69,7 +68,7 @@ std::array<double, 3> Albedo::sample(double u, double v) const {
 Resolution albedo_size(const HeightMapSource& source, Resolution height_map) {
     if (source.albedo.empty()) return height_map;
     const Resolution size = read_raster_header(source.albedo).size;
-    check_size(source.albedo, size);
+    check_albedo_size(source.albedo, size);
     return size;
 }
 
@@ -77,7 +76,7 @@ Albedo load_albedo(const HeightMapSource& source, const HeightMap& map) {
     if (source.albedo.empty()) return default_albedo(map);
     const RasterFile raster = read_raster_file(source.albedo);
     const Resolution size = raster.size;
-    check_size(source.albedo, size);
+    check_albedo_size(source.albedo, size);
     // One channel, or one and alpha: grey. Alpha is ignored.
     const bool grey = raster.channels() < 3;
     Albedo albedo;

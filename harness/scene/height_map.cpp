@@ -6,6 +6,7 @@
 #include "core/suggest.hpp"
 #include "scene/image_file.hpp"
 #include "scene/procedural.hpp"
+#include "scene/raster_limits.hpp"
 
 #include <fmt/format.h>
 
@@ -18,8 +19,6 @@
 namespace reliefbench {
 
 namespace {
-
-constexpr int largest_side = 16384;
 
 std::int64_t wrap(std::int64_t index, std::int64_t count) {
     const std::int64_t remainder = index % count;

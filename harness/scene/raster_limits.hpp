@@ -10,6 +10,9 @@ namespace reliefbench {
 
 /// What every reader and writer of image files asks of them.
 
+/// Texels along a side of a height map or an albedo.
+inline constexpr int largest_side = 16384;
+
 /// Throws Error for an image without pixels, and for one of more values than the largest height map with four channels.
 void check_raster_size(const std::filesystem::path& path, int width, int height, int channels);
 

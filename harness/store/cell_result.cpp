@@ -21,59 +21,52 @@ bool is_pass(std::string_view key) {
     return key != ns_per_pixel_key && key != stop_key && key != throttled_rounds_key;
 }
 
-Json number(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-Json number(const std::optional<double>& value) {
-    return value ? number(*value) : Json(nullptr);
-}
-
 Json to_json(const PassTiming& timing) {
     Json json;
-    json["median_ms"] = number(timing.median_ms);
-    json["mad_ms"] = number(timing.mad_ms);
-    json["ci95_ms"] = {number(timing.ci95_ms.low), number(timing.ci95_ms.high)};
+    json["median_ms"] = finite_or_null(timing.median_ms);
+    json["mad_ms"] = finite_or_null(timing.mad_ms);
+    json["ci95_ms"] = {finite_or_null(timing.ci95_ms.low), finite_or_null(timing.ci95_ms.high)};
     json["n"] = timing.n;
     json["repeats"] = timing.repeats;
     json["rounds"] = timing.rounds;
     json["outliers"] = timing.outliers;
-    if (timing.lower_quartile_ms) json["lower_quartile_ms"] = number(*timing.lower_quartile_ms);
+    if (timing.lower_quartile_ms) json["lower_quartile_ms"] = finite_or_null(*timing.lower_quartile_ms);
     return json;
 }
 
 Json to_json(const CellResult::Work& work) {
     Json json;
-    json["taps_mean"] = number(work.taps_mean);
-    json["taps_p95"] = number(work.taps_p95);
-    json["texels_mean"] = number(work.texels_mean);
-    json["steps_mean"] = number(work.steps_mean);
-    json["steps_p95"] = number(work.steps_p95);
-    json["unconverged"] = number(work.unconverged);
+    json["taps_mean"] = finite_or_null(work.taps_mean);
+    json["taps_p95"] = finite_or_null(work.taps_p95);
+    json["texels_mean"] = finite_or_null(work.texels_mean);
+    json["steps_mean"] = finite_or_null(work.steps_mean);
+    json["steps_p95"] = finite_or_null(work.steps_p95);
+    json["unconverged"] = finite_or_null(work.unconverged);
     json["covered_pixels"] = work.covered_pixels;
-    json["shadow_taps_mean"] = number(work.shadow_taps_mean);
-    json["shadow_taps_p95"] = number(work.shadow_taps_p95);
+    json["shadow_taps_mean"] = finite_or_null(work.shadow_taps_mean);
+    json["shadow_taps_p95"] = finite_or_null(work.shadow_taps_p95);
     return json;
 }
 
 Json to_json(const std::optional<Summary>& summary) {
     if (!summary) return nullptr;
     Json json;
-    json["mean"] = number(summary->mean);
-    json["rms"] = number(summary->rms);
-    json["p50"] = number(summary->p50);
-    json["p95"] = number(summary->p95);
-    json["p99"] = number(summary->p99);
-    json["max"] = number(summary->max);
+    json["mean"] = finite_or_null(summary->mean);
+    json["rms"] = finite_or_null(summary->rms);
+    json["p50"] = finite_or_null(summary->p50);
+    json["p95"] = finite_or_null(summary->p95);
+    json["p99"] = finite_or_null(summary->p99);
+    json["max"] = finite_or_null(summary->max);
     return json;
 }
 
 Json to_json(const CellResult::ShadowErrors& shadow) {
     Json json;
-    json["mean"] = number(shadow.mean);
-    json["false_shadow"] = number(shadow.false_shadow);
-    json["missed_shadow"] = number(shadow.missed_shadow);
+    json["mean"] = finite_or_null(shadow.mean);
+    json["false_shadow"] = finite_or_null(shadow.false_shadow);
+    json["missed_shadow"] = finite_or_null(shadow.missed_shadow);
     json["compared"] = shadow.compared;
-    json["truth_standard_error"] = number(shadow.truth_standard_error);
+    json["truth_standard_error"] = finite_or_null(shadow.truth_standard_error);
     return json;
 }
 
@@ -83,13 +76,13 @@ Json to_json(const CellResult::Errors& errors) {
     json["depth"] = to_json(errors.depth);
     json["normal_deg"] = to_json(errors.normal_deg);
     json["compared"] = errors.compared;
-    json["missed"] = number(errors.missed);
-    json["false_hits"] = number(errors.false_hits);
-    json["ties"] = number(errors.ties);
+    json["missed"] = finite_or_null(errors.missed);
+    json["false_hits"] = finite_or_null(errors.false_hits);
+    json["ties"] = finite_or_null(errors.ties);
     json["outside_quad"]["pixels"] = errors.outside_quad_pixels;
-    json["outside_quad"]["covered"] = number(errors.outside_quad_covered);
-    json["coverage_iou"] = number(errors.coverage_iou);
-    json["wrong_surface"] = number(errors.wrong_surface);
+    json["outside_quad"]["covered"] = finite_or_null(errors.outside_quad_covered);
+    json["coverage_iou"] = finite_or_null(errors.coverage_iou);
+    json["wrong_surface"] = finite_or_null(errors.wrong_surface);
     json["shadow"] = errors.shadow ? to_json(*errors.shadow) : Json(nullptr);
     return json;
 }
@@ -97,10 +90,10 @@ Json to_json(const CellResult::Errors& errors) {
 template <typename Fields>
 Json image_errors_to_json(const Fields& errors) {
     Json json;
-    json["flip"] = number(errors.flip);
-    json["psnr"] = number(errors.psnr);
-    json["ssim"] = number(errors.ssim);
-    json["rmse"] = number(errors.rmse);
+    json["flip"] = finite_or_null(errors.flip);
+    json["psnr"] = finite_or_null(errors.psnr);
+    json["ssim"] = finite_or_null(errors.ssim);
+    json["rmse"] = finite_or_null(errors.rmse);
     return json;
 }
 
@@ -113,9 +106,9 @@ Json to_json(const CellResult::ImageFields& image) {
 Json to_json(const std::optional<CellResult::MotionFigure>& figure) {
     if (!figure) return nullptr;
     Json json;
-    json["mean"] = number(figure->mean);
-    json["p95"] = number(figure->p95);
-    json["max"] = number(figure->max);
+    json["mean"] = finite_or_null(figure->mean);
+    json["p95"] = finite_or_null(figure->p95);
+    json["max"] = finite_or_null(figure->max);
     return json;
 }
 
@@ -312,10 +305,10 @@ Json to_json(const CellResult& result) {
         assert(is_pass(pass));
         json["time"][pass] = to_json(timing);
     }
-    json["time"][ns_per_pixel_key] = number(result.ns_per_pixel);
+    json["time"][ns_per_pixel_key] = finite_or_null(result.ns_per_pixel);
     json["time"][stop_key] = result.stop ? Json(to_string(*result.stop)) : Json(nullptr);
     json["time"][throttled_rounds_key] = result.throttled_rounds;
-    json["prepare"]["ms"] = number(result.prepare_ms);
+    json["prepare"]["ms"] = finite_or_null(result.prepare_ms);
     json["prepare"]["bytes"] = result.prepare_bytes ? Json(*result.prepare_bytes) : Json(nullptr);
     json["work"] = fields_or_null(result.work);
     json["pipeline"] = Json::object();
@@ -325,7 +318,7 @@ Json to_json(const CellResult& result) {
     json["executable"] = Json::object();
     for (const auto& [stage, statistics] : result.executable) {
         for (const auto& [statistic, value] : statistics) {
-            json["executable"][stage][statistic] = number(value);
+            json["executable"][stage][statistic] = finite_or_null(value);
         }
     }
     json["error"] = fields_or_null(result.error);

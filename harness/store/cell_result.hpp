@@ -31,6 +31,9 @@ enum class StopReason {
 
 std::string_view to_string(StopReason reason);
 
+/// Name of the draw among a cell's passes.
+inline constexpr const char* draw_pass = "draw";
+
 struct PassTiming {
     /// Of the rounds' medians.
     double median_ms = 0;

@@ -47,7 +47,7 @@ std::optional<double> member(const CellResult& cell) {
 
 template <auto... Members>
 std::optional<double> of_draw(const CellResult& cell) {
-    const auto draw = cell.time.find("draw");
+    const auto draw = cell.time.find(draw_pass);
     if (draw == cell.time.end()) return std::nullopt;
     return follow<Members...>(draw->second);
 }

@@ -12,8 +12,6 @@ namespace reliefbench {
 
 namespace {
 
-constexpr const char* samples_file = "samples.jsonl";
-
 /// Marks a line of a round that was measured while the device throttled.
 constexpr const char* throttled_key = "throttled";
 

@@ -19,7 +19,6 @@ namespace {
 
 constexpr const char* run_file = "run.json";
 constexpr const char* cells_file = "cells.jsonl";
-constexpr const char* samples_file = "samples.jsonl";
 constexpr const char* rounds_file = "rounds.jsonl";
 constexpr const char* summary_file = "summary.json";
 constexpr const char* images_folder = "images";

@@ -11,6 +11,9 @@
 
 namespace reliefbench {
 
+/// Of a run's folder; the other files are this writer's own.
+inline constexpr const char* samples_file = "samples.jsonl";
+
 /// One timing as drawn, for samples.jsonl.
 struct RawSamples {
     std::string cell;
