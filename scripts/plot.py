@@ -6,13 +6,14 @@
     plot.py angle  cells.csv -o angle.png --cost ns --filter heightmap=rock
 
 pareto: error against cost; the line is the Pareto front: nothing is both cheaper and better. steps: error against steps
-per pixel. angle: cost against view angle. One panel for each view that the filters leave. The format is the file's
-extension: pdf, svg or png. Labels, units and which way a figure is better come from figures.json beside this script.
+per pixel. angle: cost against view angle. One panel for each view that the filters leave. Bars are the 95 % intervals of
+times. The format is the file's extension: pdf, svg or png. Colours and markers are those of the report's page; labels, units and which way a figure is better come from figures.json beside this script.
 Needs Debian's python3-matplotlib and python3-pandas.
 """
 
 import argparse
 import dataclasses
+import re
 import sys
 from pathlib import Path
 
@@ -21,22 +22,25 @@ try:
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
-    import matplotlib.ticker
     import numpy
     import pandas
 except ModuleNotFoundError as missing:
     sys.exit(f"plot.py: there is no Python module {missing.name}; on Debian: apt install python3-matplotlib python3-pandas")
 
-from plotted_cells import (COSTS, ERRORS, HIT_LIMIT, VIEW_ANGLE, PlotError, apply_filters, counted, positive, quantity,
-                           read_cells, with_direction, with_numbers)
+from plotted_axes import number
+from plotted_cells import (COSTS, ERRORS, HIT_LIMIT, VIEW_ANGLE, PlotError, apply_filters, counted, interval_of, positive,
+                           quantity, read_cells, with_direction, with_numbers)
+from plotted_lines import panels_of, with_lines
+from plotted_marks import LINES, style_of
 
-# Okabe and Ito 2008: told apart by colour-blind eyes; the yellow is left out, which white paper swallows.
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"]
-MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">", "*", "h"]
-
-MOST_PANELS = 6
+MOST_LINES = 22
 PANEL_INCHES = (3.3, 2.8)
-LEGEND_INCHES = 1.7
+# Of the legend: its lines and margins, each letter, each entry.
+LEGEND_INCHES = 0.6
+LETTER_INCHES = 0.055
+ENTRY_INCHES = 0.145
+# Values of a swept axis that all get their number.
+MOST_NAMED_VALUES = 10
 # Linear axes serve values within this factor of each other.
 LOG_AXIS_FACTOR = 8
 # How far beyond the others lies what has no place on an axis: a factor below the least, a part of their span.
@@ -45,70 +49,46 @@ INFINITE_ROOM = 0.12
 FORMATS = (".pdf", ".svg", ".png")
 
 
-def varying(cells, prefix, besides=()):
-    """Columns with the prefix that have several values; that some cells have none (the distance of parallel rays) follows from
-    another column."""
-    return [name for name in cells.columns if name.startswith(prefix) and name not in besides and cells[name].nunique() > 1]
-
-
-def short(column):
-    return column.split(".", 1)[1]
-
-
-def text_of(value):
-    return f"{value:g}" if isinstance(value, float) else str(value)
-
-
-def grouped(cells, columns):
-    """(values of the columns, cells) of each combination there is."""
-    if not columns:
-        return [((), cells)]
-    by = columns[0] if len(columns) == 1 else columns
-    return [(key if isinstance(key, tuple) else (key,), group) for key, group in cells.groupby(by, dropna=False, sort=True)]
-
-
-def panels_of(cells, besides=()):
-    axes = varying(cells, "axes.", besides)
-    groups = grouped(cells, axes)
-    if len(groups) > MOST_PANELS:
-        values = "; ".join(f"{short(name)}: {', '.join(map(text_of, sorted(cells[name].dropna().unique())))}" for name in axes)
-        raise PlotError(f"{len(groups)} views are left, and {MOST_PANELS} panels are the most; choose with --filter ({values})")
-    panels = []
-    for key, group in groups:
-        shown = [f"{short(name)} {text_of(value)}" for name, value in zip(axes, key) if not pandas.isna(value)]
-        panels.append((", ".join(shown), group))
-    return panels
-
-
-def series_of(cells, each_setting):
-    """Label → cells. With `each_setting` one line for each technique and parameters, as cells' ids write them (defaults left
-    out); else one for each technique and choice (a parameter that is no number), along which numbers vary."""
-    if each_setting:
-        settings = cells["cell"].str.split(" | ", regex=False).str[0]
-        return {label: part for label, part in cells.groupby(settings, sort=True)}
-    series = {}
+def styles_of(cells):
+    """Line → how it is drawn: colour and marker are the technique's; dashes and the markers' filling tell the lines of one apart."""
+    styles = {}
     for technique, group in cells.groupby("technique", sort=True):
-        names = [name for name in varying(group, "params.") if not pandas.api.types.is_numeric_dtype(group[name].dropna())]
-        for key, part in grouped(group, names):
-            settings = [f"{short(name)}={text_of(value)}" for name, value in zip(names, key)]
-            series[" ".join([technique] + settings)] = part
-    return series
+        lines = sorted(group["line"].unique(), key=natural)
+        if len(lines) > len(LINES):
+            raise PlotError(f"{len(lines)} lines of {technique} are too many to tell apart ({lines[0]}, {lines[1]}, ...); "
+                            f"choose {len(LINES)} with --filter, such as max_steps=8,32")
+        styles.update({line: style_of(group["mark"].iloc[0], at) for at, line in enumerate(lines)})
+    if len(styles) > MOST_LINES:
+        raise PlotError(f"{len(styles)} lines are too many to tell apart; choose with --filter, such as technique=pom,qdm")
+    return styles
 
 
-def style_of(index):
-    return {"color": COLOURS[index % len(COLOURS)], "marker": MARKERS[index % len(MARKERS)], "markersize": 4.5,
-            "markeredgewidth": 0.8, "linewidth": 0.9}
+def natural(text):
+    """Sorts numbers in a text by their size."""
+    return [(float(part), "") if part.replace(".", "", 1).isdigit() else (0, part) for part in re.split(r"([\d.]+)", text)]
 
 
-def draw_panel(axes, series, styles, x, y):
-    """`x` and `y`: where each cell is drawn, by its index."""
-    for label, cells in series.items():
-        cells = cells.loc[x[cells.index].sort_values().index]
-        style = styles[label]
-        axes.plot(x[cells.index], y[cells.index], alpha=0.5, **{**style, "marker": None})
-        counts = counted(cells)
-        for part, face in ((cells[counts], style["color"]), (cells[~counts], "none")):
-            axes.plot(x[part.index], y[part.index], linestyle="none", markerfacecolor=face, **{**style, "linewidth": 0})
+def bars_of(cells, column, placed):
+    """Lengths of the bars below and above; None where the column has no intervals."""
+    interval = interval_of(cells, column)
+    if interval is None:
+        return None
+    return [(placed[cells.index] - interval[0]).clip(lower=0).fillna(0), (interval[1] - placed[cells.index]).clip(lower=0).fillna(0)]
+
+
+def draw_panel(axes, cells, styles, x, y):
+    """`x` and `y`: the column, and where each cell is drawn, by its index."""
+    for line, part in cells.groupby("line", sort=True):
+        part = part.loc[x[1][part.index].sort_values().index]
+        style = styles[line]
+        axes.plot(x[1][part.index], y[1][part.index], alpha=0.5, **{**style, "marker": None})
+        bars = [bars_of(part, *each) for each in (x, y)]
+        if any(bar is not None for bar in bars):
+            axes.errorbar(x[1][part.index], y[1][part.index], xerr=bars[0], yerr=bars[1], fmt="none", ecolor=style["color"],
+                          elinewidth=0.7, capsize=1.6, capthick=0.7)
+        counts = counted(part)
+        for some, hollow in ((part[counts], {}), (part[~counts], {"fillstyle": "none"})):
+            axes.plot(x[1][some.index], y[1][some.index], **{**style, "linestyle": "none", **hollow})
 
 
 def front_of(cells, cost, error):
@@ -143,49 +123,53 @@ def wants_log(values):
     return values.min() > 0 and values.max() > LOG_AXIS_FACTOR * values.min()
 
 
-def make_logarithmic(axis, set_scale, values):
-    set_scale("log")
-    if values.max() < 100 * values.min():
-        # Powers of ten alone would leave such an axis with one number or none.
-        axis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1, 2, 5)))
-        axis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda value, _: f"{value:g}"))
-        axis.set_minor_formatter(matplotlib.ticker.NullFormatter())
+def legend_of(cells, styles, quantities, front):
+    handles = [plt.Line2D([], [], label=label, **styles[label]) for label in sorted(styles, key=natural)]
+    if front:
+        handles.append(plt.Line2D([], [], color="#000000", linewidth=0.8, linestyle=(0, (4, 2)), label="Pareto front"))
+    if any(interval_of(cells, each.column) is not None for each in quantities):
+        handles.append(plt.Line2D([], [], color="#555555", marker="|", markersize=6, linewidth=0.7, label="95 % interval of the time"))
+    if not counted(cells).all():
+        handles.append(plt.Line2D([], [], color="#555555", marker="o", markerfacecolor="none", markersize=4.5, linestyle="none",
+                                  label=f"> {HIT_LIMIT:.1%} of hits wrong"))
+    return handles
 
 
-def make_figure(cells, x, y, title, log_x, log_y, each_setting=False, besides=(), front=False):
+def make_figure(cells, x, y, options, log_x, log_y, each_setting=False, besides=(), front=False):
+    swept = sorted(cells[x.column].unique()) if x.column in besides else []
+    swept = swept if len(swept) <= MOST_NAMED_VALUES else []
+    cells = with_lines(cells, each_setting)
     panels = panels_of(cells, besides)
-    labels = sorted({label for _, group in panels for label in series_of(group, each_setting)})
-    if len(labels) > 2 * len(MARKERS):
-        raise PlotError(f"{len(labels)} lines are too many to tell apart; choose with --filter, such as technique=pom,qdm")
-    styles = {label: style_of(index) for index, label in enumerate(labels)}
+    styles = styles_of(cells)
+    handles = legend_of(cells, styles, (x, y), front)
     columns = min(3, len(panels))
     rows = -(-len(panels) // columns)
+    width = PANEL_INCHES[0] * columns + LEGEND_INCHES + LETTER_INCHES * max(len(handle.get_label()) for handle in handles)
+    height = max(PANEL_INCHES[1] * rows, ENTRY_INCHES * (len(handles) + 2)) + (0.3 if options.title else 0)
     figure, grid = plt.subplots(rows, columns, squeeze=False, sharex=True, sharey=True, layout="constrained",
-                                figsize=(PANEL_INCHES[0] * columns + LEGEND_INCHES, PANEL_INCHES[1] * rows + (0.3 if title else 0)))
+                                figsize=(width, height))
     (placed_x, edge_x), (placed_y, edge_y) = placed_on(cells[x.column], log_x), placed_on(cells[y.column], log_y)
     for axes, (name, group) in zip(grid.flat, panels):
-        draw_panel(axes, series_of(group, each_setting), styles, placed_x, placed_y)
+        axes.set_xscale("log" if log_x else "linear")
+        axes.set_yscale("log" if log_y else "linear")
+        draw_panel(axes, group, styles, (x.column, placed_x), (y.column, placed_y))
         if front:
             draw_front(axes, group, x, y, (placed_x, placed_y))
         axes.set_title(name, fontsize=8)
         axes.grid(True, which="major", linewidth=0.3, color="#cccccc")
-        if log_x:
-            make_logarithmic(axes.xaxis, axes.set_xscale, placed_x)
-        if log_y:
-            make_logarithmic(axes.yaxis, axes.set_yscale, placed_y)
+    for axes in list(grid.flat)[:len(panels)]:
+        number(axes.xaxis, log_x, swept)
+        number(axes.yaxis, log_y)
+        # Panels share their scales, but each can be cut out and read.
+        axes.tick_params(labelbottom=True, labelleft=True)
     for axes in list(grid.flat)[len(panels):]:
         axes.set_visible(False)
     figure.supxlabel(x.axis(", ") + edge_x, fontsize=9)
     figure.supylabel(y.axis("\n") + edge_y, fontsize=9)
-    if title:
-        figure.suptitle(title, fontsize=10)
-    handles = [plt.Line2D([], [], label=label, **style) for label, style in styles.items()]
-    if front:
-        handles.append(plt.Line2D([], [], color="#000000", linewidth=0.8, linestyle=(0, (4, 2)), label="Pareto front"))
-    if not counted(cells).all():
-        handles.append(plt.Line2D([], [], color="#555555", marker="o", markerfacecolor="none", markersize=4.5, linestyle="none",
-                                  label=f"> {HIT_LIMIT:.1%} of hits wrong"))
-    grid[0][-1].legend(handles=handles, loc="upper left", bbox_to_anchor=(1.02, 1.0), fontsize=7, frameon=False)
+    if options.title:
+        figure.suptitle(options.title, fontsize=10)
+    grid[0][-1].legend(handles=handles, loc="upper left", bbox_to_anchor=(1.02, 1.0), fontsize=7, frameon=False,
+                       handlelength=3)
     return figure
 
 
@@ -198,7 +182,7 @@ def plot_pareto(cells, options, notes):
     cost = with_direction(quantity(cells, options.cost, COSTS, "--cost", notes), "--cost")
     error = with_direction(quantity(cells, options.error, ERRORS, "--error", notes), "--error")
     cells = with_numbers(cells, [cost.column, error.column], notes)
-    return make_figure(cells, cost, error, options.title, is_logarithmic(cost), is_logarithmic(error), front=True)
+    return make_figure(cells, cost, error, options, is_logarithmic(cost), is_logarithmic(error), front=True)
 
 
 def plot_steps(cells, options, notes):
@@ -206,7 +190,7 @@ def plot_steps(cells, options, notes):
     error = quantity(cells, options.error, ERRORS, "--error", notes)
     cells = positive(with_numbers(cells, [steps.column, error.column], notes), steps.column, notes)
     log = is_logarithmic(error) and (cells[error.column] >= 0).all()
-    return make_figure(cells, steps, error, options.title, True, log)
+    return make_figure(cells, steps, error, options, True, log)
 
 
 def plot_angle(cells, options, notes):
@@ -215,8 +199,8 @@ def plot_angle(cells, options, notes):
     cells = with_numbers(cells, [cost.column], notes)
     if cells[VIEW_ANGLE].nunique() < 2:
         raise PlotError("angle: all cells have one view angle; export a run whose axis view_angle has several")
-    angle = dataclasses.replace(angle, label="view angle (degrees from the normal)")
-    return make_figure(cells, angle, cost, options.title, False, wants_log(cells[cost.column]), each_setting=True,
+    angle = dataclasses.replace(angle, label="view angle (degrees)")
+    return make_figure(cells, angle, cost, options, False, wants_log(cells[cost.column]), each_setting=True,
                        besides=[VIEW_ANGLE])
 
 

@@ -9,6 +9,8 @@ from pathlib import Path
 import numpy
 import pandas
 
+from plotted_marks import mark_numbers
+
 # Written by `reliefbench list figures --format json`.
 FIGURES_FILE = Path(__file__).resolve().parent / "figures.json"
 
@@ -94,7 +96,8 @@ def read_cells(files):
     measured = cells[cells["status"] == "ok"]
     if measured.empty:
         raise PlotError(f"{', '.join(files)}: no cell was measured ({len(cells)} failed or were skipped)")
-    return with_best_ratios(measured)
+    # Among all techniques, so that neither a filter nor a failure changes one's mark.
+    return with_best_ratios(measured.assign(mark=measured["technique"].map(mark_numbers(cells["technique"]))))
 
 
 def find_column(cells, name):
@@ -170,6 +173,17 @@ def with_direction(chosen, option):
         raise PlotError(f"{option} {chosen.column}: neither low nor high values of it are better (figures.json), so that "
                         "there is no front; choose another figure")
     return chosen
+
+
+def interval_of(cells, column):
+    """Lows and highs of the 95 % interval of a pass' median time, or of the draw's over pixels; None for other columns."""
+    pass_name = re.fullmatch(r"time\.(.+)\.median_ms", column)
+    of = pass_name.group(1) if pass_name else "draw" if column == "time.ns_per_pixel" else None
+    ends = [f"time.{of}.ci95_ms.{end}" for end in ("low", "high")]
+    if of is None or any(end not in cells.columns for end in ends):
+        return None
+    scale = cells[column] / cells[f"time.{of}.median_ms"]
+    return [cells[end] * scale for end in ends]
 
 
 def counted(cells):

@@ -13,8 +13,8 @@ export interface App {
   measured(): readonly number[];
   /** The pinned cell; -1 for none. */
   pinned(): number;
-  /** Place of a technique among those of the run: its mark. */
-  position(technique: string): number;
+  /** The number of a technique's mark (palette.ts). */
+  mark(technique: string): number;
   update(change: Partial<State>): void;
 }
 

@@ -12,7 +12,7 @@ export function settingElement(app: App, setting: string, technique: string): HT
   return h(
     "span",
     { class: "setting" },
-    markElement(app.position(technique), app.theme),
+    markElement(app.mark(technique), app.theme),
     h("b", {}, technique),
     rest === "" ? null : h("span", { class: "parameters" }, rest),
   );

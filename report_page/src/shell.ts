@@ -17,7 +17,7 @@ import { filteredCells, measuredCells } from "./filter.ts";
 import { headerElement } from "./header.ts";
 import { helpDialog } from "./help.ts";
 import { costMetrics, errorMetrics, metricById, metricText, usualCost, usualError } from "./metrics.ts";
-import type { Theme } from "./palette.ts";
+import { markNumbers, type Theme } from "./palette.ts";
 import { sidebar } from "./sidebar.ts";
 import { type State, stateFromFragment, stateToFragment } from "./state.ts";
 import { adviceView } from "./views/advice.ts";
@@ -49,7 +49,8 @@ export function startShell(data: PageData, body: HTMLElement): void {
   let views: View[] = [];
   let selection: number[] = [];
   let measured: number[] = [];
-  let positions = new Map<string, number>();
+  // Of all runs, so that switching between them changes no mark.
+  const marks = markNumbers(data.runs.flatMap((each) => techniques(each.cells)));
 
   const run = (): RunData => data.runs[state.run] ?? data.runs[0]!;
   const app: App = {
@@ -64,7 +65,7 @@ export function startShell(data: PageData, body: HTMLElement): void {
     selection: () => selection,
     measured: () => measured,
     pinned: () => cellIndex(run().cells, state.pin),
-    position: (technique) => positions.get(technique) ?? 0,
+    mark: (technique) => marks.get(technique) ?? 0,
     update(change) {
       const before = state;
       state = { ...state, ...change };
@@ -113,8 +114,6 @@ export function startShell(data: PageData, body: HTMLElement): void {
   }
 
   function build(): void {
-    const { cells } = run();
-    positions = new Map(techniques(cells).map((technique, at) => [technique, at]));
     views = makers.map((make) => make(app)).filter((view): view is View => view !== null);
     fill(
       header,

@@ -43,7 +43,7 @@ function techniqueGroup(app: App): HTMLElement {
     ...all.map((technique) =>
       chip(
         [
-          markElement(app.position(technique), app.theme),
+          markElement(app.mark(technique), app.theme),
           h("span", { class: "chip-name" }, technique),
           h("span", { class: "count" }, String(counts.get(technique) ?? 0)),
         ],

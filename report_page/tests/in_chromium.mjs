@@ -136,6 +136,25 @@ test("a run opens with its chart, its techniques and what it was measured on", a
   await page.waitForSelector(".chart canvas");
 });
 
+test("a technique has the same mark in every report and in every run of one", async () => {
+  const marks = async () =>
+    Object.fromEntries(
+      await page.$$eval("[data-filter=technique] .chip", (chips) =>
+        chips.map((chip) => [chip.dataset.value, chip.querySelector(".mark").innerHTML]),
+      ),
+    );
+  await open("shadows");
+  const { pom: mark } = await marks();
+  assert.match(mark, /#a8328a/);
+  await open("changes");
+  assert.equal((await marks()).pom, mark);
+  await page.keyboard.press("r");
+  assert.equal((await marks()).pom, mark);
+  await open("small", "techniques=pom");
+  assert.equal((await marks()).pom, mark);
+  await findMark([0xa8, 0x32, 0x8a]);
+});
+
 test("techniques and axes filter; x shows everything again", async () => {
   await open("small");
   await page.click("[data-filter=technique] [data-value=flat]");
@@ -252,10 +271,10 @@ test("figures that are better the higher lead a front with their highest, and ax
 test("charts over steps and over the view angle have a line per technique", async () => {
   await open("small", "view=axes");
   assert.equal(await page.locator(".chart-pair canvas").count(), 2);
-  await findMark([0xc8, 0x52, 0x00]);
+  await findMark([0xa8, 0x32, 0x8a]);
   await page.selectOption(".field select >> nth=0", "axis.view_angle");
   assert.equal((await fragment()).get("x"), "axis.view_angle");
-  await findMark([0xc8, 0x52, 0x00]);
+  await findMark([0xa8, 0x32, 0x8a]);
 });
 
 test("pictures of a pinned cell: side by side, flip, slider, and the values of a pixel", async () => {

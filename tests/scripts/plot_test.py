@@ -80,8 +80,7 @@ class Plot(unittest.TestCase):
 
     def test_the_front_has_its_labels_a_panel_for_each_view_and_every_technique(self):
         text = self.svg("pareto", "cells.csv", "--title", "Made up")
-        for words in ("Draw time (ms), lower is better", "UV error, p99 (texels)", "lower is better", "view_angle 30",
-                      "view_angle 60", "flat", "steep", "pom", "Pareto front", "Made up"):
+        for words in ("Draw time (ms), lower is better", "UV error, p99 (texels)", "lower is better", "30°", "60°", "flat", "steep", "pom", "Pareto front", "Made up"):
             self.shows(text, words)
 
     def test_error_and_cost_can_be_chosen(self):
@@ -89,7 +88,7 @@ class Plot(unittest.TestCase):
                         "--filter", "technique=steep,pom")
         self.shows(text, "Taps per pixel, lower is better")
         self.assertIn(">FLIP", text)
-        self.assertFalse("view_angle" in text)
+        self.assertFalse("60°" in text)
         self.shows(self.svg("pareto", "cells.csv", "--error", "error.depth.rms"), "Depth error, RMS (patch sides)")
 
     def front(self, cost, error, cells):
@@ -154,11 +153,93 @@ class Plot(unittest.TestCase):
 
     def test_time_against_view_angle_has_a_line_for_each_setting(self):
         text = self.svg("angle", "cells.csv", "--cost", "ns")
-        for words in ("view angle (degrees from the normal)", "Draw time per covered pixel (ns)"):
+        for words in ("view angle (degrees)", "Draw time per covered pixel (ns)"):
             self.shows(text, words)
         # At their defaults parameters are left out, and min_steps follows max_steps.
         self.assertEqual(len(set(re.findall(r">(steep [^<]*max_steps=4[^<]*)<", text))), 1)
         self.assertEqual(len(set(re.findall(r">(pom [^<]*)<", text))), 2)
+
+    def figure(self, *arguments):
+        """Its panels' axes, drawn."""
+        kept = []
+        with mock.patch.object(self.script.plt, "close"), mock.patch.object(
+                self.script, "make_figure", side_effect=lambda *a, made=self.script.make_figure, **k: kept.append(made(*a, **k)) or kept[0]):
+            self.svg(*arguments)
+        return [axes for axes in kept[0].axes if axes.get_visible()]
+
+    def test_every_panel_has_numbers_at_both_axes_and_none_is_a_power_of_ten_that_reads_better_written_out(self):
+        for arguments in (["pareto", "cells.csv"], ["steps", "cells.csv", "--filter", "technique=steep,pom"]):
+            panels = self.figure(*arguments)
+            self.assertEqual(len(panels), 2)
+            for axes in panels:
+                for axis in (axes.xaxis, axes.yaxis):
+                    low, high = sorted(axis.get_view_interval())
+                    shown = [tick.label1 for tick in axis.get_major_ticks() if low <= tick.get_loc() <= high]
+                    self.assertGreaterEqual(len(shown), 2)
+                    for label in shown:
+                        self.assertTrue(label.get_visible())
+                        self.assertRegex(label.get_text(), r"^(−?\d+(\.\d+)?|([\d.]+·)?10⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)$")
+
+    def test_numbers_at_axes_are_those_of_the_report(self):
+        axes = sys.modules["plotted_axes"]
+        self.assertEqual([axes.tick_text(value) for value in (0.03, 1024, 16384, 0.0001, -0.5, 0, 1e-5, 3e-6, 1e7)],
+                         ["0.03", "1024", "16384", "0.0001", "−0.5", "0", "10⁻⁵", "3·10⁻⁶", "10⁷"])
+        for low in (1e-9, 0.0137, 0.99, 1, 730):
+            for factor in (1.0001, 1.02, 1.44, 1.9, 3, 12, 1e3, 1e7, 1e13):
+                for ticks in (axes.log_ticks(low, low * factor), axes.linear_ticks(low, low * factor)):
+                    self.assertTrue(2 <= len(ticks) <= 10, f"{low} times {factor}: {ticks}")
+
+    def test_times_have_their_95_percent_interval_as_bars(self):
+        header = "cell,technique,status,time.draw.median_ms,time.draw.ci95_ms.low,time.draw.ci95_ms.high,time.ns_per_pixel," \
+                 "error.uv_texels.p99,axes.view_angle"
+        rows = ["a | v,a,ok,2,1,3,200,1,0", "a | w,a,ok,4,4,8,400,1,30"]
+        (self.path / "bars.csv").write_text("\n".join([header, *rows]) + "\n")
+
+        def ends(axes, direction):
+            return sorted(segment[:, direction].tolist() for bars in axes.containers for each in bars.lines[2]
+                          for segment in each.get_segments())
+        panels = self.figure("pareto", "bars.csv")
+        self.assertEqual([ends(axes, 0) for axes in panels], [[[1, 3]], [[4, 8]]])
+        self.assertEqual([ends(axes, 1) for axes in self.figure("angle", "bars.csv", "--cost", "ns")], [[[100, 300], [400, 800]]])
+        self.shows(self.svg("pareto", "bars.csv"), "95 % interval of the time")
+        self.assertFalse("95 %" in self.svg("pareto", "bars.csv", "--cost", "error.uv_texels.p99"))
+
+    def test_a_technique_has_the_colour_and_marker_of_the_report_in_every_figure(self):
+        marks = sys.modules["plotted_marks"]
+        for case in json.loads((PLOT.parents[1] / "report_page/tests/marks_of_names.json").read_text()):
+            self.assertEqual(marks.mark_numbers(case["names"]), dict(zip(case["names"], case["numbers"])))
+        shipped = [folder.name for folder in (PLOT.parents[1] / "techniques").iterdir() if folder.is_dir()]
+        together = marks.mark_numbers(shipped)
+        self.assertEqual(len(shipped), len(set(together.values())))
+        self.assertEqual(together, {name: marks.mark_numbers([name])[name] for name in shipped}, "no two meet")
+
+        def styles(*filters):
+            lines = self.figure("pareto", "cells.csv", "--filter", "view_angle=60", *filters)[0].get_legend().get_lines()
+            return {line.get_label(): (line.get_color(), line.get_marker()) for line in lines}
+        everything, alone = styles(), styles("--filter", "technique=pom")
+        self.assertEqual(everything["pom"], alone["pom"])
+        self.assertNotEqual(everything["pom"], everything["steep"])
+
+    def test_lines_of_one_technique_differ_in_dashes_and_filling(self):
+        lines = self.figure("angle", "cells.csv")[0].get_legend().get_lines()
+        of_pom = [line for line in lines if line.get_label().startswith("pom")]
+        self.assertEqual(len({(line.get_color(), line.get_marker()) for line in of_pom}), 1)
+        self.assertEqual(len({line.get_linestyle() for line in of_pom}), 2)
+        self.assertEqual(len({line.get_fillstyle() for line in of_pom}), 2)
+
+    def test_lines_and_panels_are_named_as_in_ids_and_in_the_report(self):
+        header = "cell,technique,status,time.draw.median_ms,error.uv_texels.p99,axes.heightmap,axes.height_scale," \
+                 "params.leaf,params.max_steps,params.min_steps"
+        view = "heightmap=a/rock.png height_scale=0.1"
+        rows = [f"qdm | {view},qdm,ok,1,1,a/rock.png,0.1,exact,50,8",
+                f"qdm max_steps=16 min_steps=2 | {view},qdm,ok,2,1,a/rock.png,0.1,exact,16,2",
+                f"qdm leaf=linear | {view},qdm,ok,3,1,a/rock.png,0.1,linear,50,8",
+                "flat | heightmap=b height_scale=0.05,flat,ok,3,1,b,0.05,,,"]
+        (self.path / "names.csv").write_text("\n".join([header, *rows]) + "\n")
+        panels = self.figure("pareto", "names.csv")
+        self.assertEqual([axes.get_title() for axes in panels], ["rock.png · height scale 0.1", "b · height scale 0.05"])
+        self.assertEqual([line.get_label() for line in panels[-1].get_legend().get_lines()],
+                         ["flat", "qdm", "qdm leaf=linear", "Pareto front"])
 
     def test_what_a_logarithmic_axis_has_no_place_for_is_told(self):
         code, errors = self.plot("steps", "cells.csv", "-o", "steps.svg")

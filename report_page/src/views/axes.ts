@@ -190,7 +190,7 @@ function lineSeries(
   place: (value: number) => number,
   of: (point: LinePoint) => number | null,
 ): object {
-  const mark = markOf(app.position(line.technique), app.theme);
+  const mark = markOf(app.mark(line.technique), app.theme);
   const pinned = app.pinned();
   return {
     type: "line",

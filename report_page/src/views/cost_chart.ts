@@ -151,7 +151,7 @@ function panelSeries(
     else byTechnique.set(mark.technique, [datum]);
   }
   const scatters = [...byTechnique].map(([technique, data]) => {
-    const mark = markOf(app.position(technique), app.theme);
+    const mark = markOf(app.mark(technique), app.theme);
     return {
       type: "scatter",
       name: technique,
