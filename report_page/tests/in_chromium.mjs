@@ -1,43 +1,17 @@
 // The page in a real browser: node in_chromium.mjs RELIEFBENCH. Reports are made of generated runs.
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
-import { after, afterEach, before, test } from "node:test";
+import { test } from "node:test";
 
-import { openBrowser } from "./browser.mjs";
-import { largeRun, measured, shadowRun, smallRun, unmeasured, writeRun } from "./runs.mjs";
+import { findMark, fragment, open, page, report, testsOfPage, texts, write } from "./page_under_test.mjs";
+import { largeRun, measured, shadowRun, smallRun, unmeasured } from "./runs.mjs";
 
-const binary = process.argv[2];
-const folder = mkdtempSync(join(tmpdir(), "reliefbench-report-"));
 const pom = "pom max_steps=32 | heightmap=rock view_angle=60";
 const hostile = `<img src=x onerror="document.title='broken'"> </script><script>document.title='broken'</script>`;
 
-let browser;
-let page;
-let problems = [];
-
-function report(name, ...runs) {
-  execFileSync(binary, ["report", ...runs.map((run) => join(folder, run)), "-o", join(folder, `${name}.html`)], {
-    // No noise of this machine's may sway the comparison.
-    env: { ...process.env, RELIEFBENCH_STATE_DIR: folder },
-  });
-}
-
-async function open(name, fragment = "") {
-  // From elsewhere, so that another fragment is another load.
-  await page.goto("about:blank");
-  await page.goto(`file://${join(folder, `${name}.html`)}${fragment === "" ? "" : `#${fragment}`}`);
-  await page.waitForSelector("main section");
-}
-
-const fragment = async () => new URLSearchParams((await page.evaluate(() => location.hash)).slice(1));
-const texts = (selector) => page.$$eval(selector, (elements) => elements.map((element) => element.textContent));
 const shownCount = async () => (await page.textContent(".shown")).match(/^[\d,]+/)[0];
 
-before(async () => {
+testsOfPage(() => {
   const pictures = {
     [pom]: {
       technique: (x, y) => [x * 4, y * 4, 7],
@@ -46,17 +20,14 @@ before(async () => {
       uv_error: (x) => (x < 11 ? [0, 0, 3] : [26, 204, 51]),
     },
   };
-  writeRun(join(folder, "small"), smallRun(), { name: "small", pictures });
+  write("small", smallRun(), { name: "small", pictures });
   const slower = smallRun({ slowdown: 8 }).slice(1);
   const { error } = slower.find(({ cell }) => cell === pom);
   error.uv_texels.p99 /= 10;
   error.missed = 0.03;
-  writeRun(join(folder, "slower"), [
-    ...slower,
-    unmeasured({ technique: "new", status: "failed", reason: "no" }),
-  ]);
-  writeRun(
-    join(folder, "troubled"),
+  write("slower", [...slower, unmeasured({ technique: "new", status: "failed", reason: "no" })]);
+  write(
+    "troubled",
     [
       ...smallRun(),
       unmeasured({
@@ -69,13 +40,13 @@ before(async () => {
     ],
     { name: hostile },
   );
-  writeRun(join(folder, "empty"), []);
-  writeRun(join(folder, "shadows"), shadowRun());
-  writeRun(
-    join(folder, "even"),
+  write("empty", []);
+  write("shadows", shadowRun());
+  write(
+    "even",
     ["a", "b"].map((technique, at) => measured({ technique, ms: 1 + at / 100, uv: 1 })),
   );
-  writeRun(join(folder, "large"), largeRun(10_000), { rounds: 3 });
+  write("large", largeRun(10_000), { rounds: 3 });
   report("small", "small");
   report("changes", "small", "slower");
   report("troubled", "troubled");
@@ -83,50 +54,7 @@ before(async () => {
   report("shadows", "shadows");
   report("even", "even");
   report("large", "large");
-  browser = await openBrowser();
-  page = await browser.context.newPage();
-  page.on("pageerror", (error) => problems.push(error.message));
-  page.on("console", (message) => {
-    if (message.type() === "error" || message.type() === "warning") problems.push(message.text());
-  });
-  page.on("request", (request) => {
-    if (!/^(file|data|blob|about):/.test(request.url())) problems.push(`asked the network for ${request.url()}`);
-  });
 });
-
-after(async () => {
-  await browser?.close();
-  rmSync(folder, { recursive: true, force: true });
-});
-
-afterEach(() => {
-  const found = problems;
-  problems = [];
-  assert.deepEqual(found, []);
-});
-
-/** The first blot of a technique's colour in the first chart. */
-async function findMark(colour) {
-  const at = await page.evaluate((wanted) => {
-    const canvas = document.querySelector("main .chart canvas");
-    const { width, height } = canvas;
-    const copy = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
-    copy.drawImage(canvas, 0, 0);
-    const { data } = copy.getImageData(0, 0, width, height);
-    const is = (x, y) => wanted.every((value, channel) => Math.abs(data[4 * (y * width + x) + channel] - value) < 24);
-    for (let y = 3; y < height - 3; ++y) {
-      for (let x = 3; x < width - 3; ++x) {
-        if ([-1, 0, 1].every((dy) => [-1, 0, 1].every((dx) => is(x + dx, y + dy)))) {
-          const box = canvas.getBoundingClientRect();
-          return { x: box.left + (x * box.width) / width, y: box.top + (y * box.height) / height };
-        }
-      }
-    }
-    return null;
-  }, colour);
-  assert.notEqual(at, null, "no mark of this colour in the chart");
-  return at;
-}
 
 test("a run opens with its chart, its techniques and what it was measured on", async () => {
   await open("small");
@@ -241,7 +169,10 @@ test("advice says when settings cannot be told apart, and when its error counts 
   );
   assert.match(await page.textContent(".answer"), /Use pom: .*in 1\.00 ms/);
   await open("small", "view=advice&axis.view_angle=0&budget=5&limit.image.flip=0.5&limit.image.footprint.flip=0.1");
-  assert.match(await page.textContent(".notice"), /No measured cell of this run has image\.footprint\.flip/);
+  assert.match(
+    await page.textContent(".notice"),
+    /No measured cell of this run has image\.footprint\.flip/,
+  );
   await open("small", "view=advice&axis.view_angle=0&budget=0.5&techniques=qdm");
   assert.ok(!(await page.isVisible(".notice")));
   await open("even", "view=advice&budget=5");
