@@ -18,14 +18,14 @@ def tick_text(value):
     if size == 0 or 0.99e-4 < size < 0.99e7:
         return f"{value:.10f}".rstrip("0").rstrip(".").replace("-", "−")
     exponent = math.floor(math.log10(size) + 1e-9)
-    factor = f"{value / 10 ** exponent:.3g}".replace("-", "−")
+    factor = f"{value / 10 ** exponent:.6g}".replace("-", "−")
     return ("" if factor == "1" else factor + "·") + "10" + str(exponent).translate(SUPERSCRIPTS)
 
 
 def linear_ticks(low, high):
-    rough = (high - low) / (FEWEST_TICKS + 1)
+    rough = (high - low) / (FEWEST_TICKS + 2)
     decade = 10 ** math.floor(math.log10(rough))
-    step = next(factor * decade for factor in (1, 2, 5, 10) if factor * decade >= 0.999 * rough)
+    step = next(factor * decade for factor in (1, 2, 2.5, 5, 10) if factor * decade >= 0.999 * rough)
     return [at * step for at in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1)]
 
 
@@ -43,7 +43,7 @@ def log_ticks(low, high):
         return within((1,))
     choices = [ticks for ticks in map(within, DECADE_STEPS) if len(ticks) <= MOST_TICKS]
     chosen = next((ticks for ticks in choices if len(ticks) >= FEWEST_TICKS), choices[-1] if choices else [])
-    return chosen if len(chosen) >= 3 else linear_ticks(low, high)
+    return chosen if len(chosen) >= FEWEST_TICKS else linear_ticks(low, high)
 
 
 def number(axis, is_logarithmic, values=()):

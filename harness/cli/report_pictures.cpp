@@ -1,6 +1,7 @@
 #include "cli/report_pictures.hpp"
 
 #include "picture/colour_map.hpp"
+#include "picture/map_picture.hpp"
 #include "picture/pixel_map.hpp"
 #include "report/quality_cost.hpp"
 #include "scene/image_file.hpp"
@@ -19,8 +20,6 @@ constexpr int largest_side = 512;
 constexpr std::string_view extension = ".png";
 constexpr std::string_view truth_kind = "truth";
 constexpr std::string_view main_map = "uv_error";
-/// legend.<map>.png says what the colours of a map mean.
-constexpr const char* legend_stem = "legend";
 
 /// Names of the PNG files in the run's folder of images, without their extension; sorted.
 std::set<std::string> image_names(const std::filesystem::path& images) {
@@ -121,11 +120,14 @@ std::filesystem::path file_of(const std::filesystem::path& stem, const std::stri
 
 MapLegend legend_of(const PixelMapScale& scale) {
     constexpr int colours = 256;
-    MapLegend legend{scale.title, scale.unit, scale.dark, scale.light, scale.logarithmic, {}, -1};
+    MapLegend legend{scale.title, scale.unit, scale.dark, scale.light, scale.logarithmic, {}, scale.marks, {}};
     for (int colour = 0; colour < colours; ++colour) {
         for (const double channel : magma(colour / (colours - 1.0))) {
             legend.colours.push_back(to_byte(channel));
         }
+    }
+    for (const Swatch& swatch : swatches_of(scale)) {
+        legend.others.push_back({swatch.colour, swatch.text});
     }
     return legend;
 }
@@ -156,16 +158,9 @@ public:
         positions[files.cell] = static_cast<int>(pictures_.add(read_picture(file_of(files.stem, map), of_run_.step)));
     }
 
-    void add_legends(const std::filesystem::path& images, const std::set<std::string>& names) {
+    void add_legends() {
         for (const PixelMapScale& scale : pixel_map_scales()) {
-            if (!of_run_.maps.contains(scale.name)) continue;
-            MapLegend legend = legend_of(scale);
-            if (names.contains(legend_stem + ('.' + scale.name))) {
-                int as_it_is = 1;
-                const PagePicture picture = read_picture(file_of(images / legend_stem, scale.name), as_it_is);
-                legend.picture = static_cast<int>(pictures_.add(picture));
-            }
-            of_run_.legends[scale.name] = std::move(legend);
+            if (of_run_.maps.contains(scale.name)) of_run_.legends[scale.name] = legend_of(scale);
         }
     }
 
@@ -198,7 +193,7 @@ CellPictures collect_pictures(const StoredRun& run, std::size_t most_bytes, Page
             collector.add_map(of_cell, of_cell.maps[map]);
         }
     }
-    collector.add_legends(images, names);
+    collector.add_legends();
     return collector.take();
 }
 

@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <string>
-#include <vector>
 
 namespace reliefbench {
 
@@ -44,25 +42,6 @@ Rgb8 colour_of(Coverage coverage) {
             break;
     }
     return nothing_colour;
-}
-
-struct Swatch {
-    Rgb8 colour;
-    std::string text;
-};
-
-std::vector<Swatch> swatches_of(const PixelMapScale& scale) {
-    std::vector<Swatch> swatches;
-    if (scale.map == PixelMap::coverage) swatches.push_back({both_colour, "hit in both"});
-    if (scale.undefined == PixelMapScale::Undefined::coverage) {
-        swatches.push_back({missed_colour, "missed"});
-        swatches.push_back({false_hit_colour, "false hit"});
-        swatches.push_back({missed_outside_colour, "relief outside the quad"});
-        swatches.push_back({tie_colour, "tie"});
-    }
-    const bool outside = scale.undefined == PixelMapScale::Undefined::outside;
-    swatches.push_back({nothing_colour, outside ? "outside the footprint" : "nothing"});
-    return swatches;
 }
 
 /// Lines of swatches, none wider than `width` where that can be.
@@ -112,6 +91,20 @@ Picture map_picture(const PixelMapScale& scale, const Image<float>& values, cons
         }
     }
     return picture;
+}
+
+std::vector<Swatch> swatches_of(const PixelMapScale& scale) {
+    std::vector<Swatch> swatches;
+    if (scale.map == PixelMap::coverage) swatches.push_back({both_colour, "hit in both"});
+    if (scale.undefined == PixelMapScale::Undefined::coverage) {
+        swatches.push_back({missed_colour, "missed"});
+        swatches.push_back({false_hit_colour, "false hit"});
+        swatches.push_back({missed_outside_colour, "relief outside the quad"});
+        swatches.push_back({tie_colour, "tie"});
+    }
+    const bool outside = scale.undefined == PixelMapScale::Undefined::outside;
+    swatches.push_back({nothing_colour, outside ? "outside the footprint" : "nothing"});
+    return swatches;
 }
 
 Picture legend(const PixelMapScale& scale, int width, const Font& font) {

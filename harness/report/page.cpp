@@ -26,7 +26,11 @@ Json legend_to_json(const MapLegend& legend) {
     json["light"] = legend.light;
     json["logarithmic"] = legend.logarithmic;
     json["colours"] = base64(legend.colours);
-    json["picture"] = legend.picture;
+    json["marks"] = legend.marks;
+    json["others"] = Json::array();
+    for (const LegendColour& other : legend.others) {
+        json["others"].push_back({{"colour", other.colour}, {"text", other.text}});
+    }
     return json;
 }
 

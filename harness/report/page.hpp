@@ -4,12 +4,21 @@
 #include "compare/stored_run.hpp"
 #include "report/sample_groups.hpp"
 
+#include <array>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace reliefbench {
+
+/// A colour of a map that stands for no value, and what for: "missed".
+struct LegendColour {
+    std::array<std::uint8_t, 3> colour{};
+    std::string text;
+};
 
 /// What the colours of a map of errors mean: the n colours (RGB) stand for values from `dark` to `light` in equal
 /// steps, of the value or of its logarithm.
@@ -21,8 +30,9 @@ struct MapLegend {
     double light = 1;
     bool logarithmic = false;
     std::vector<std::uint8_t> colours;
-    /// Which of the page's pictures shows it, -1 for none.
-    int picture = -1;
+    /// Values that are named, from dark to light; none where the map shows no values.
+    std::vector<double> marks;
+    std::vector<LegendColour> others;
 };
 
 /// Which of the page's pictures (page_pictures.hpp) show what of a run's cells.

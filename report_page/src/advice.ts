@@ -1,7 +1,7 @@
 // What to use of a run's settings within limits: the rules are those of docs/report.md, "Advice".
 
-import { type Cells, numberOf, sortedValues, textOf, valueText, variedAxes } from "./data.ts";
-import { advantage, type Metric, worstOf, wrongHitsMetric } from "./metrics.ts";
+import { type Cells, sortedValues, textOf, valueText, variedAxes } from "./data.ts";
+import { advantage, likelyInterval, type Metric, worstOf, wrongHitsMetric } from "./metrics.ts";
 import { type SettingPoint, settingPoints } from "./settings.ts";
 
 /** At most so much of what is better the lower it is, at least so much of the others. */
@@ -68,16 +68,6 @@ export function adviceGroups(
   return { axes, groups: ordered };
 }
 
-/** Times have the relative interval of the draw's median. */
-function intervalOf(cells: Cells, cost: Metric, cell: number): [number, number] {
-  const value = cost.of(cells, cell)!;
-  const median = numberOf(cells, "time.draw.median_ms", cell);
-  const low = numberOf(cells, "time.draw.ci95_ms.low", cell);
-  const high = numberOf(cells, "time.draw.ci95_ms.high", cell);
-  if (!cost.id.startsWith("time.") || !median || low === null || high === null) return [value, value];
-  return [(value * low) / median, (value * high) / median];
-}
-
 export function candidates(
   cells: Cells,
   selection: readonly number[],
@@ -93,11 +83,11 @@ export function candidates(
     );
   const all = points.map((point) => ({
     ...point,
-    costInterval: intervalOf(
-      cells,
+    costInterval: likelyInterval(
       cost,
+      cells,
       point.cells.find((cell) => cost.of(cells, cell) === point.cost)!,
-    ),
+    ) ?? [point.cost, point.cost],
     limited: limits.map(({ metric }) => worst(metric, point.cells)),
   }));
   return { all, incomplete };

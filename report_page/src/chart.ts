@@ -10,7 +10,7 @@ import { type EChartsCoreOption, type EChartsType, init, use } from "echarts/cor
 import { CanvasRenderer } from "echarts/renderers";
 
 import { h } from "./dom.ts";
-import { type FigureScale, logBase } from "./scales.ts";
+import { type FigureScale } from "./scales.ts";
 
 use([
   BoxplotChart,
@@ -70,6 +70,7 @@ export class Chart {
       this.chart.on("click", (event) => onClick(event.data));
       // Back from where wheel and drag have led.
       this.chart.getZr().on("dblclick", () => this.show(this.option ?? {}));
+      this.chart.on("datazoom", () => this.numberWhatIsSeen());
       if (this.option) this.chart.setOption(this.option, { notMerge: true });
     }).observe(this.element);
   }
@@ -78,6 +79,49 @@ export class Chart {
     this.option = { animation: false, ...option };
     this.chart?.setOption(this.option, { notMerge: true });
   }
+
+  /** Numbers of the axes anew, for what zooming left of them. */
+  private numberWhatIsSeen(): void {
+    const of = (name: "xAxis" | "yAxis") =>
+      [this.option?.[name] ?? []].flat().map((axis, at) => {
+        const { ticksOf } = axis as Partial<TickedAxis>;
+        return ticksOf === undefined ? {} : customTicks(ticksOf(...seenExtent(this.chart!, name, at)));
+      });
+    this.chart?.setOption({ xAxis: of("xAxis"), yAxis: of("yAxis") });
+  }
+}
+
+/** An axis whose numbers are chosen here: ECharts' own may be one or none on a short logarithmic axis. */
+interface TickedAxis {
+  ticksOf(from: number, to: number): number[];
+}
+
+function customTicks(values: number[]): Record<string, object> {
+  return { axisTick: { customValues: values }, axisLabel: { customValues: values } };
+}
+
+/** What zooming has left of an axis; nothing that is public tells. */
+function seenExtent(chart: EChartsType, name: string, at: number): [number, number] {
+  interface Model {
+    getComponent(name: string, at: number): { axis: { scale: { getExtent(): [number, number] } } };
+  }
+  const model = (chart as unknown as { getModel(): Model }).getModel();
+  return model.getComponent(name, at).axis.scale.getExtent();
+}
+
+/** The axis with numbers at `ticksOf` what is seen of it, `text` of each. */
+export function ticked(
+  axis: Record<string, unknown> & { min: number; max: number },
+  ticksOf: TickedAxis["ticksOf"],
+  text: (value: number) => string,
+): Record<string, unknown> {
+  const { axisTick, axisLabel } = customTicks(ticksOf(axis.min, axis.max));
+  return {
+    ...axis,
+    ticksOf,
+    axisTick: { ...(axis["axisTick"] as object), ...axisTick },
+    axisLabel: { ...(axis["axisLabel"] as object), ...axisLabel, formatter: text },
+  };
 }
 
 /** What all axes look like. */
@@ -96,22 +140,30 @@ export function axisStyle(ink: Ink, name: string): Record<string, unknown> {
 
 /** An axis for a figure; `labelled`: with numbers at its ticks. */
 export function figureAxis(ink: Ink, name: string, scale: FigureScale, labelled: boolean): Record<string, unknown> {
+  const style = axisStyle(ink, name);
+  const axisLabel = { ...(style["axisLabel"] as object), show: labelled };
+  const axis = { ...style, axisLabel, type: scale.type, min: scale.min, max: scale.max };
+  return ticked(axis, scale.ticks, scale.text);
+}
+
+/** Zooming into the grid with these axes. A finger that is drawn over the chart scrolls the page. */
+export function insideZoom(grid: number): object[] {
+  const drags = !matchMedia("(pointer: coarse)").matches;
+  const one = { type: "inside", filterMode: "none", moveOnMouseMove: drags, preventDefaultMouseMove: drags };
+  return ["xAxisIndex", "yAxisIndex"].map((axis) => ({ ...one, [axis]: grid }));
+}
+
+/** Bars from end to end: `data` has the two ends of each and a gap after them. */
+export function intervalLine(data: (number | null)[][], colour: string, more: object = {}): object {
   return {
-    ...axisStyle(ink, name),
-    type: scale.type,
-    ...(scale.type === "log" ? { logBase: logBase(scale) } : {}),
-    min: scale.min,
-    max: scale.max,
-    axisLabel: {
-      color: ink.muted,
-      fontFamily: ink.font,
-      fontSize: ink.size,
-      hideOverlap: true,
-      show: labelled,
-      formatter: (value: number) => scale.text(value),
-      showMinLabel: scale.endTexts.min,
-      showMaxLabel: scale.endTexts.max,
-    },
+    type: "line",
+    data,
+    symbol: "none",
+    silent: true,
+    connectNulls: false,
+    lineStyle: { color: colour, width: 1.1, opacity: 0.6 },
+    z: 2,
+    ...more,
   };
 }
 

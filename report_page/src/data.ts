@@ -28,7 +28,7 @@ export interface PassSamples {
   ms: number[];
 }
 
-/** What a map's colours mean: RGB, base64, for values from `dark` to `light`. `picture` shows it; -1 for none. */
+/** What a map's colours mean: RGB, base64, for values from `dark` to `light`; there are none where it has no marks. */
 export interface MapLegend {
   title: string;
   unit: string;
@@ -36,7 +36,10 @@ export interface MapLegend {
   light: number;
   logarithmic: boolean;
   colours: string;
-  picture: number;
+  /** Values that are named, from dark to light. */
+  marks: number[];
+  /** Colours that stand for no value, RGB. */
+  others: { colour: number[]; text: string }[];
 }
 
 /** Positions in PageData.pictures, one per cell, -1 for none. */

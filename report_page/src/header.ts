@@ -1,5 +1,6 @@
 import type { App } from "./app.ts";
 import { type Json, type RunData, statusOf, valueText } from "./data.ts";
+import { warning } from "./describe.ts";
 import { h } from "./dom.ts";
 import { counted } from "./numbers.ts";
 
@@ -66,8 +67,6 @@ export function headerElement(app: App, onTheme: () => void, onHelp: () => void)
       h("span", {}, `${counted(counts["ok"] ?? 0, "cell")} measured`),
       statusButton(app, "failed", counts["failed"] ?? 0),
       statusButton(app, "skipped", counts["skipped"] ?? 0),
-      run.summary === null ? h("span", { class: "warning" }, "the run did not end") : null,
-      ...run.cautions.map((caution) => h("span", { class: "warning" }, caution)),
     ),
     h(
       "div",
@@ -84,6 +83,7 @@ export function headerElement(app: App, onTheme: () => void, onHelp: () => void)
       ),
       h("button", { title: "Keys (?)", attrs: { type: "button", "aria-label": "Keys" }, on: { click: onHelp } }, "?"),
     ),
+    ...[...(run.summary === null ? ["the run did not end"] : []), ...run.cautions].map((text) => warning(text)),
   );
 }
 

@@ -65,6 +65,35 @@ function metricOf(figure: Figure, better: Better): Metric {
   };
 }
 
+/** A time with the relative 95 % interval of the draw's median, which is as good a guess for the others; else null. */
+export function likelyInterval(metric: Pick<Metric, "id" | "of">, cells: Cells, cell: number): [number, number] | null {
+  const value = metric.id.startsWith("time.") ? metric.of(cells, cell) : null;
+  const median = numberOf(cells, "time.draw.median_ms", cell);
+  const low = numberOf(cells, "time.draw.ci95_ms.low", cell);
+  const high = numberOf(cells, "time.draw.ci95_ms.high", cell);
+  if (value === null || !median || low === null || high === null) return null;
+  return [(value * low) / median, (value * high) / median];
+}
+
+/** Of these it is their own: the draw's median, and the same over pixels. */
+const withInterval = ["time.draw.median_ms", "time.ns_per_pixel"];
+
+/** The figure's 95 % interval, in its unit; null for figures and cells that have none. */
+export function intervalOf(metric: Pick<Metric, "id" | "of">, cells: Cells, cell: number): [number, number] | null {
+  return withInterval.includes(metric.id) ? likelyInterval(metric, cells, cell) : null;
+}
+
+/** More outliers than this fraction of the samples: something beside the cell took part in its times. */
+export const outlierLimit = 0.1;
+
+/** Outliers of the draw and its samples, where there are too many; else null. */
+export function manyOutliers(cells: Cells, cell: number): { outliers: number; samples: number } | null {
+  const outliers = numberOf(cells, "time.draw.outliers", cell);
+  const samples = numberOf(cells, "time.draw.n", cell);
+  if (outliers === null || samples === null || outliers <= outlierLimit * samples) return null;
+  return { outliers, samples };
+}
+
 /** Missed and false hits together, a fraction of the footprint; null where nothing was compared with a truth. */
 export function wrongHits(cells: Cells, cell: number): number | null {
   const missed = numberOf(cells, "error.missed", cell);
@@ -152,6 +181,11 @@ export function axisTitle(metric: Metric, separator = ", "): string {
 /** Below a title that has the unit: "0.031" */
 export function bareText(metric: Pick<Metric, "unit">, value: number | null): string {
   return metric.unit === "bytes" ? bytesText(value) : figureText(value);
+}
+
+/** "0.98 to 1.02 ms" */
+export function intervalText(metric: Pick<Metric, "unit">, [low, high]: readonly [number, number]): string {
+  return `${bareText(metric, low)} to ${metricText(metric, high)}`;
 }
 
 /** "0.031 texels" */

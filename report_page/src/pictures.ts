@@ -81,6 +81,11 @@ export function valueOfColour(colour: readonly number[], legend: MapLegend, colo
     : legend.dark + along * (legend.light - legend.dark);
 }
 
+/** Where along the legend's colours a value of its scale lies: 0 at the dark end, 1 at the light one. */
+export function legendPosition({ dark, light, logarithmic }: MapLegend, value: number): number {
+  return logarithmic ? Math.log(value / dark) / Math.log(light / dark) : (value - dark) / (light - dark);
+}
+
 /** Draws the picture into a canvas of its size. */
 export function draw(picture: Picture, canvas: HTMLCanvasElement): void {
   canvas.width = picture.width;

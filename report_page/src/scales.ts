@@ -29,23 +29,54 @@ export function logRange(values: Iterable<number>): LogRange {
   return { min: hasZero ? zero : least / room, max: greatest * room, zero, hasZero };
 }
 
-/** What a logarithmic axis counts in: powers of two where powers of ten are too few to read from. */
-export function logBase(range: { min: number; max: number }): number {
-  return range.max / range.min < 300 ? 2 : 10;
+/** Numbers at an axis: fewer than these and more than those are not to be read from. */
+const fewestTicks = 4;
+const mostTicks = 9;
+
+/** What is multiplied by powers of ten, from coarse to fine. */
+const decadeSteps = [[1], [1, 3], [1, 2, 5], [1, 2, 3, 4, 5, 6, 7, 8, 9]];
+
+const exact = (value: number) => Number(value.toPrecision(12));
+
+/** Round numbers of a logarithmic axis from `min` to `max`, both above 0; two at least where the two differ. */
+export function logTicks(min: number, max: number): number[] {
+  const [first, last] = [Math.floor(Math.log10(min)), Math.floor(Math.log10(max))];
+  const every = Math.max(1, Math.ceil((last - first) / mostTicks));
+  const within = (steps: number[]) => {
+    const ticks: number[] = [];
+    for (let exponent = Math.ceil(first / every) * every - every; exponent <= last; exponent += every) {
+      for (const step of steps) ticks.push(exact(step * 10 ** exponent));
+    }
+    return ticks.filter((tick) => tick >= min && tick <= max);
+  };
+  if (every > 1) return within([1]);
+  const choices = decadeSteps.map(within).filter((ticks) => ticks.length <= mostTicks);
+  const chosen = choices.find((ticks) => ticks.length >= fewestTicks) ?? choices.at(-1) ?? [];
+  return chosen.length >= fewestTicks ? chosen : linearTicks(min, max);
+}
+
+/** Round numbers from `min` to `max` in equal steps; two at least where the two differ. */
+export function linearTicks(min: number, max: number): number[] {
+  if (!(max > min)) return [min];
+  const rough = (max - min) / (fewestTicks + 2);
+  const decade = 10 ** Math.floor(Math.log10(rough));
+  const step = exact(decade * [1, 2, 2.5, 5, 10].find((factor) => factor * decade >= 0.999 * rough)!);
+  const ticks: number[] = [];
+  for (let at = Math.ceil(min / step - 1e-9); at * step <= max + 1e-9 * step; ++at) ticks.push(exact(at * step));
+  return ticks;
 }
 
 const superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
-/** 0.01, 1, 100; 10⁻⁵ where that is shorter. */
-export function powerText(value: number): string {
-  if (value === 0) return "0";
-  const exponent = Math.log10(Math.abs(value));
-  if (exponent >= -3.01 && exponent <= 4.01) return String(Number(value.toPrecision(3)));
-  const whole = Math.round(exponent);
-  const digits = [...String(Math.abs(whole))].map((digit) => superscripts[Number(digit)]).join("");
-  const factor = value / 10 ** whole;
-  const mantissa = Math.abs(factor - 1) < 0.01 ? "" : `${Number(factor.toPrecision(2))}·`;
-  return `${mantissa}10${whole < 0 ? "⁻" : ""}${digits}`;
+/** 0.03, 1024; 10⁻⁵, 3·10⁷ where nobody would count the zeros. */
+export function tickText(value: number): string {
+  const size = Math.abs(value);
+  if (size === 0 || (size > 0.99e-4 && size < 0.99e7)) return String(exact(value)).replace("-", "−");
+  const exponent = Math.floor(Math.log10(size) + 1e-9);
+  const digits = [...String(Math.abs(exponent))].map((digit) => superscripts[Number(digit)]).join("");
+  const factor = Number((value / 10 ** exponent).toPrecision(6));
+  const mantissa = factor === 1 ? "" : `${String(factor).replace("-", "−")}·`;
+  return `${mantissa}10${exponent < 0 ? "⁻" : ""}${digits}`;
 }
 
 /** A chart's axis for a figure. */
@@ -57,8 +88,8 @@ export interface FigureScale {
   place(value: number): number;
   /** What stands at a tick. */
   text(value: number): string;
-  /** Whether the ends have a meaning of their own, and so a text. */
-  endTexts: { min: boolean; max: boolean };
+  /** Where numbers stand of what is seen of the axis. */
+  ticks(from: number, to: number): number[];
 }
 
 /**
@@ -73,8 +104,12 @@ export function figureScale(values: readonly number[], better: "lower" | "higher
       min: range.min,
       max: range.max,
       place: (value) => (value > 0 ? value : range.zero),
-      text: (value) => (range.hasZero && value === range.min ? "0" : powerText(value)),
-      endTexts: { min: range.hasZero, max: false },
+      text: (value) => (range.hasZero && value === range.min ? "0" : tickText(value)),
+      ticks: (from, to) => {
+        if (!range.hasZero || from > range.zero) return logTicks(from, to);
+        const room = 1.6;
+        return [range.zero, ...logTicks(range.zero, to).filter((tick) => tick > room * range.zero)];
+      },
     };
   }
   const finite = values.filter(Number.isFinite);
@@ -87,7 +122,10 @@ export function figureScale(values: readonly number[], better: "lower" | "higher
     min: least - room,
     max,
     place: (value) => Math.min(value, max),
-    text: (value) => (hasInfinite && value === max ? "∞" : String(Number(value.toPrecision(4)))),
-    endTexts: { min: false, max: hasInfinite },
+    text: (value) => (hasInfinite && value === max ? "∞" : tickText(value)),
+    ticks: (from, to) => {
+      if (!hasInfinite || to < max) return linearTicks(from, to);
+      return [...linearTicks(from, to).filter((tick) => tick <= greatest + room), max];
+    },
   };
 }

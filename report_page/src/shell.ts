@@ -1,22 +1,12 @@
 // The page around the views: header, tabs, filters, the pinned cell, keys, and the state in the URL's fragment.
 
 import type { App, View } from "./app.ts";
-import {
-  cellIndex,
-  type PageData,
-  type RunData,
-  settingOf,
-  techniqueOf,
-  techniques,
-  viewLabel,
-  viewOf,
-} from "./data.ts";
-import { settingElement } from "./describe.ts";
+import { cellIndex, type PageData, type RunData, techniques } from "./data.ts";
+import { cellSummary } from "./describe.ts";
 import { fill, h } from "./dom.ts";
 import { filteredCells, measuredCells } from "./filter.ts";
 import { headerElement } from "./header.ts";
 import { helpDialog } from "./help.ts";
-import { costMetrics, errorMetrics, metricById, metricText, usualCost, usualError } from "./metrics.ts";
 import { markNumbers, type Theme } from "./palette.ts";
 import { sidebar } from "./sidebar.ts";
 import { type State, stateFromFragment, stateToFragment } from "./state.ts";
@@ -43,6 +33,9 @@ function systemTheme(): Theme {
   return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
 }
 
+/** As page.css has it: filters stand above the views and not beside them. */
+const narrow = matchMedia("(max-width: 800px)");
+
 export function startShell(data: PageData, body: HTMLElement): void {
   let state: State = stateFromFragment(location.hash);
   let theme: Theme = systemTheme();
@@ -51,6 +44,8 @@ export function startShell(data: PageData, body: HTMLElement): void {
   let measured: number[] = [];
   // Of all runs, so that switching between them changes no mark.
   const marks = markNumbers(data.runs.flatMap((each) => techniques(each.cells)));
+
+  let filtersOpen = !narrow.matches;
 
   const run = (): RunData => data.runs[state.run] ?? data.runs[0]!;
   const app: App = {
@@ -147,10 +142,15 @@ export function startShell(data: PageData, body: HTMLElement): void {
     const view = shown();
     const focused = focusedSelector();
     for (const tab of tabs.querySelectorAll("button")) {
-      if (tab.dataset["view"] === view.name) tab.setAttribute("aria-current", "page");
-      else tab.removeAttribute("aria-current");
+      if (tab.dataset["view"] === view.name) {
+        tab.setAttribute("aria-current", "page");
+        tabs.scrollLeft = tab.offsetLeft - (tabs.clientWidth - tab.offsetWidth) / 2;
+      } else tab.removeAttribute("aria-current");
     }
-    fill(aside, sidebar(app));
+    fill(
+      aside,
+      sidebar(app, filtersOpen, (open) => (filtersOpen = open)),
+    );
     fill(pinBar, pinElement(app, shell));
     if (main.firstElementChild !== view.element) main.replaceChildren(view.element);
     view.refresh();
@@ -160,6 +160,10 @@ export function startShell(data: PageData, body: HTMLElement): void {
 
   document.documentElement.dataset["theme"] = theme;
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => setTheme(systemTheme()));
+  narrow.addEventListener("change", () => {
+    filtersOpen = !narrow.matches;
+    refresh();
+  });
   addEventListener("hashchange", () => app.update(stateFromFragment(location.hash)));
   addEventListener("keydown", (event) => onKey(event, shell, help));
   build();
@@ -188,21 +192,12 @@ function pinElement(app: App, shell: Shell): HTMLElement | null {
       ? null
       : h("p", { class: "muted" }, `This run has no cell “${app.state.pin}”.`, unpinButton(app));
   }
-  const cost = metricById(costMetrics(app.data.figures, cells), app.state.cost, ...usualCost);
-  const error = metricById(errorMetrics(app.data.figures, cells), app.state.error, ...usualError);
   const id = cells.id[pinned]!;
-  const figures = [cost, error].flatMap((metric) =>
-    metric === null
-      ? []
-      : [h("span", { title: metric.label }, h("b", { class: "figure" }, metricText(metric, metric.of(cells, pinned))))],
-  );
   return h(
     "div",
     { class: "pin", attrs: { "data-pin": id } },
     h("span", { class: "pin-label" }, "Pinned"),
-    settingElement(app, settingOf(id), techniqueOf(cells, pinned)),
-    h("span", { class: "muted", title: viewOf(id) }, viewLabel(cells, pinned)),
-    ...figures,
+    ...cellSummary(app, pinned),
     h(
       "span",
       { class: "pin-buttons" },

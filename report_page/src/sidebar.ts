@@ -1,8 +1,9 @@
 // Filters, which are the charts' legend too.
 
 import type { App } from "./app.ts";
-import { sortedValues, techniqueOf, techniques, valueText, variedAxes } from "./data.ts";
+import { sortedValues, statusOf, techniqueOf, techniques, valueText, variedAxes } from "./data.ts";
 import { h } from "./dom.ts";
+import { measuredCells } from "./filter.ts";
 import { counted } from "./numbers.ts";
 import { markElement } from "./palette.ts";
 import { toggled } from "./state.ts";
@@ -27,9 +28,24 @@ function chip(
   );
 }
 
+/** A name that is too long for its line breaks after an underscore. */
+function breakable(name: string): (Node | string)[] {
+  return name.split(/(?<=_)/).flatMap((part, at) => (at === 0 ? [part] : [h("wbr"), part]));
+}
+
 function techniqueGroup(app: App): HTMLElement {
   const { cells } = app.run();
-  const all = techniques(cells);
+  const every = [...cells.id.keys()];
+  const anyMeasured = new Set(measuredCells(cells, every).map((cell) => techniqueOf(cells, cell)));
+  const failed = new Set(
+    every.filter((cell) => statusOf(cells, cell) === "failed").map((cell) => techniqueOf(cells, cell)),
+  );
+  // What no figure is of comes last.
+  const all = techniques(cells).sort((a, b) => Number(!anyMeasured.has(a)) - Number(!anyMeasured.has(b)));
+  const countOf = (technique: string) => {
+    if (anyMeasured.has(technique)) return String(counts.get(technique) ?? 0);
+    return failed.has(technique) ? "failed" : "skipped";
+  };
   const shown = app.state.techniques;
   const counts = new Map<string, number>();
   for (const cell of app.measured()) {
@@ -44,8 +60,8 @@ function techniqueGroup(app: App): HTMLElement {
       chip(
         [
           markElement(app.mark(technique), app.theme),
-          h("span", { class: "chip-name" }, technique),
-          h("span", { class: "count" }, String(counts.get(technique) ?? 0)),
+          h("span", { class: "chip-name" }, ...breakable(technique)),
+          h("span", { class: "count" }, countOf(technique)),
         ],
         shown.length === 0 || shown.includes(technique),
         technique,
@@ -77,15 +93,22 @@ function axisGroup(app: App, axis: string): HTMLElement {
   );
 }
 
-export function sidebar(app: App): HTMLElement {
+/** `open`: whether the axes are shown, which a narrow window has no room for at all times. */
+export function sidebar(app: App, open: boolean, onToggle: (open: boolean) => void): HTMLElement {
   const { cells } = app.run();
   const filtered =
     app.state.techniques.length > 0 || Object.values(app.state.filters).some((values) => values.length > 0);
+  const axes: HTMLDetailsElement = h(
+    "details",
+    { class: "axis-filters", attrs: { open }, on: { toggle: () => onToggle(axes.open) } },
+    h("summary", {}, "Filter by axes"),
+    ...variedAxes(cells).map((axis) => axisGroup(app, axis)),
+  );
   return h(
     "div",
     { class: "sidebar" },
     techniqueGroup(app),
-    ...variedAxes(cells).map((axis) => axisGroup(app, axis)),
+    axes,
     h(
       "p",
       { class: "muted shown" },

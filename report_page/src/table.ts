@@ -13,11 +13,36 @@ export interface Column<Row> {
   content(row: Row): Node | string;
 }
 
+/** The column that says whose row it is; it stays in sight when the others are scrolled. */
+export function identity<Row>(of: {
+  /** In full: what rows are sorted by and what hovering tells. */
+  id(row: Row): string;
+  content(row: Row): Node;
+  /** In a second line. */
+  below(row: Row): (Node | string | null)[];
+}): Column<Row> {
+  return {
+    id: "cell",
+    title: "Cell",
+    number: false,
+    key: of.id,
+    content: (row) =>
+      h(
+        "div",
+        { class: "identity", title: of.id(row) },
+        h("div", {}, of.content(row)),
+        h("div", { class: "muted small" }, ...of.below(row)),
+      ),
+  };
+}
+
 export interface TableOptions<Row> {
   label: string;
   onSort(column: string): void;
   onRow(row: Row): void;
   rowClass(row: Row): string;
+  /** What stands in the place of figures in a row that has none of them. */
+  instead?(row: Row): string | null;
 }
 
 function compare(a: number | string | null, b: number | string | null): number {
@@ -37,6 +62,11 @@ export function sortRows<Row>(rows: readonly Row[], columns: readonly Column<Row
     return (descending ? -1 : 1) * compare(a.key, b.key) || a.at - b.at;
   });
   return keyed.map(({ row }) => row);
+}
+
+function cellElement<Row>(column: Column<Row>, row: Row): HTMLElement {
+  const content = column.content(row);
+  return h("td", { class: column.number ? "number" : "", title: typeof content === "string" ? content : "" }, content);
 }
 
 export class Table<Row> {
@@ -107,6 +137,18 @@ export class Table<Row> {
     }
   }
 
+  private cellsOf(row: Row): HTMLElement[] {
+    const [first, ...others] = this.columns;
+    const figures = others.filter((column) => column.number);
+    const instead = figures.every((column) => column.key(row) === null) ? (this.options.instead?.(row) ?? null) : null;
+    if (first !== undefined && instead !== null && others.length > 0)
+      return [
+        cellElement(first, row),
+        h("td", { class: "instead", title: instead, attrs: { colspan: others.length } }, instead),
+      ];
+    return this.columns.map((column) => cellElement(column, row));
+  }
+
   private draw(afresh: boolean): void {
     const margin = 10;
     const inSight = Math.ceil((this.element.clientHeight || 800) / this.rowHeight);
@@ -121,20 +163,15 @@ export class Table<Row> {
     fill(
       this.body,
       spacer(first),
-      ...this.rows.slice(first, last).map((row) =>
-        h(
-          "tr",
-          { class: this.options.rowClass(row), on: { click: () => this.options.onRow(row) } },
-          ...this.columns.map((column) => {
-            const content = column.content(row);
-            return h(
-              "td",
-              { class: column.number ? "number" : "", title: typeof content === "string" ? content : "" },
-              content,
-            );
-          }),
+      ...this.rows
+        .slice(first, last)
+        .map((row) =>
+          h(
+            "tr",
+            { class: this.options.rowClass(row), on: { click: () => this.options.onRow(row) } },
+            ...this.cellsOf(row),
+          ),
         ),
-      ),
       spacer(this.rows.length - last),
     );
     const drawn = this.body.querySelector<HTMLElement>("tr:not(.spacer)");

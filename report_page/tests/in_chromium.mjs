@@ -164,17 +164,17 @@ test("several limits hold at once, of any figure, and the address has them", asy
 test("advice says when settings cannot be told apart, and when its error counts relief beyond the quad", async () => {
   await open("shadows", "view=advice&axis.self_shadow=off&budget=5");
   assert.match(
-    await page.textContent(".notice"),
+    await page.textContent(".view-advice .caution"),
     /FLIP.*: relief beyond the quad counts.*version that had no figures/,
   );
   assert.match(await page.textContent(".answer"), /Use pom: .*in 1\.00 ms/);
   await open("small", "view=advice&axis.view_angle=0&budget=5&limit.image.flip=0.5&limit.image.footprint.flip=0.1");
   assert.match(
-    await page.textContent(".notice"),
+    await page.textContent(".view-advice .caution"),
     /No measured cell of this run has image\.footprint\.flip/,
   );
   await open("small", "view=advice&axis.view_angle=0&budget=0.5&techniques=qdm");
-  assert.ok(!(await page.isVisible(".notice")));
+  assert.ok(!(await page.isVisible(".view-advice .caution")));
   await open("even", "view=advice&budget=5");
   assert.match(await page.textContent(".answer"), /Use a: .*Cannot be told apart from it: b \(0\.0100, 1\.01 ms\)\./);
 });
@@ -346,7 +346,7 @@ test("failed and skipped cells are there with their reasons, and no text becomes
   await open("troubled");
   assert.match(await page.textContent("header"), /1 failed1 skipped/);
   assert.match(
-    await page.textContent(".troubles"),
+    await page.textContent(".view-cost .warning"),
     /2 cells were not measured.*trace\.glsl:3: <img src=x.*no tessellation/,
   );
   for (const view of ["advice", "axes", "pictures", "timing", "run"]) await open("troubled", `view=${view}`);

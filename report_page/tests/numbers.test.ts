@@ -1,9 +1,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { figureScale, logRange, powerText } from "../src/scales.ts";
+import { figureScale, linearTicks, logRange, logTicks, tickText } from "../src/scales.ts";
 import { bytesText, changeText, geometricMean, median, significant } from "../src/numbers.ts";
-import { addBase, fromPalette, valueOfColour } from "../src/pictures.ts";
+import { addBase, fromPalette, legendPosition, valueOfColour } from "../src/pictures.ts";
 
 test("figures have significant digits, and what is undefined is a dash", () => {
   assert.equal(significant(1234.5), "1235");
@@ -51,18 +51,43 @@ test("what is better the higher it is has a linear axis with a place for infinit
   assert.ok(scale.place(Infinity) === scale.max && scale.max > 40);
   assert.equal(scale.text(scale.max), "∞");
   assert.equal(scale.text(30), "30");
-  assert.ok(!figureScale([0.5, 0.9], "higher").endTexts.max);
+  assert.equal(scale.ticks(scale.min, scale.max).at(-1), scale.max, "infinity has its tick");
+  assert.ok(scale.ticks(20, 40).every((tick) => tick <= 40));
   const zeros = figureScale([0, 1], "lower");
   assert.deepEqual([zeros.type, zeros.text(zeros.place(0))], ["log", "0"]);
+  assert.equal(zeros.ticks(zeros.min, zeros.max)[0], zeros.place(0));
   const single = figureScale([0], "higher");
   assert.ok(single.min < single.max);
 });
 
-test("powers are written as people write them", () => {
-  assert.equal(powerText(0.001), "0.001");
-  assert.equal(powerText(1e-5), "10⁻⁵");
-  assert.equal(powerText(1e6), "10⁶");
-  assert.equal(powerText(4), "4");
+test("numbers at axes are written out, and as powers of ten only where that is shorter", () => {
+  assert.deepEqual([0.03, 1024, 16384, 0.0001, -0.5, 0].map(tickText), [
+    "0.03",
+    "1024",
+    "16384",
+    "0.0001",
+    "−0.5",
+    "0",
+  ]);
+  assert.deepEqual([1e-5, 3e-6, 1e7, 2.5e8].map(tickText), ["10⁻⁵", "3·10⁻⁶", "10⁷", "2.5·10⁸"]);
+});
+
+test("every axis has at least two round numbers, and not too many", () => {
+  assert.deepEqual(logTicks(0.008, 1.3), [0.01, 0.03, 0.1, 0.3, 1]);
+  assert.deepEqual(logTicks(0.4, 50), [1, 3, 10, 30]);
+  assert.deepEqual(logTicks(0.9, 2.4), [1, 1.25, 1.5, 1.75, 2, 2.25]);
+  assert.deepEqual(linearTicks(0, 75), [0, 20, 40, 60]);
+  for (const min of [1e-9, 0.0137, 0.99, 1, 730]) {
+    for (const factor of [1.0001, 1.02, 1.44, 1.9, 3, 12, 1e3, 1e7, 1e13]) {
+      for (const ticks of [logTicks, linearTicks]) {
+        const found = ticks(min, min * factor);
+        assert.ok(found.length >= 2 && found.length <= 10, `${min} × ${factor}: ${found}`);
+        const nearly = 1e-8 * (factor - 1) * min;
+        assert.ok(found.every((tick) => tick >= min - nearly && tick <= min * factor + nearly));
+        assert.equal(new Set(found.map(tickText)).size, found.length, `${min} × ${factor}: ${found.map(tickText)}`);
+      }
+    }
+  }
 });
 
 test("pictures unpack from a palette, with one byte or two, and from a difference", () => {
@@ -75,9 +100,20 @@ test("pictures unpack from a palette, with one byte or two, and from a differenc
 
 test("a map's colour is read back as the value that it stands for, and no other colour is", () => {
   const colours = Uint8Array.of(0, 0, 0, 100, 0, 0, 200, 100, 0);
-  const legend = { title: "", unit: "texels", dark: 0.01, light: 1, logarithmic: true, colours: "", picture: -1 };
+  const legend = {
+    title: "",
+    unit: "texels",
+    dark: 0.01,
+    light: 1,
+    logarithmic: true,
+    colours: "",
+    marks: [],
+    others: [],
+  };
   assert.equal(valueOfColour([100, 1, 0], legend, colours), 0.1);
   assert.equal(valueOfColour([200, 100, 0], legend, colours), 1);
   assert.equal(valueOfColour([26, 89, 255], legend, colours), null);
   assert.equal(valueOfColour([100, 0, 0], { ...legend, dark: 1, light: 0, logarithmic: false }, colours), 0.5);
+  assert.ok(Math.abs(legendPosition(legend, 0.1) - 0.5) < 1e-12);
+  assert.equal(legendPosition({ ...legend, dark: 1, light: 0, logarithmic: false }, 0.25), 0.75);
 });

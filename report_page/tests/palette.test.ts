@@ -13,7 +13,10 @@ test("the hash is FNV-1a of the bytes of UTF-8", () => {
 
 test("names have the marks that the figures of scripts/plot.py give them", () => {
   for (const { names, numbers } of expected)
-    assert.deepEqual(Object.fromEntries(markNumbers(names)), Object.fromEntries(names.map((name, at) => [name, numbers[at]])));
+    assert.deepEqual(
+      Object.fromEntries(markNumbers(names)),
+      Object.fromEntries(names.map((name, at) => [name, numbers[at]])),
+    );
 });
 
 test("a name keeps its mark whatever stands beside it, in whichever order", () => {

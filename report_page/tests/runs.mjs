@@ -43,7 +43,10 @@ function idOf(technique, params, axes) {
 
 const summary = (p99) => ({ mean: p99 / 4, rms: p99 / 3, p50: p99 / 5, p95: p99 / 2, p99, max: 3 * p99 });
 
-/** A measured cell: `ms` of the draw and `uv`, the 99th percentile of its error. */
+/**
+ * A measured cell: `ms` of the draw, which its interval exceeds by `spread` to either side, and `uv`, the 99th percentile
+ * of its error.
+ */
 export function measured({
   technique,
   params = {},
@@ -54,6 +57,8 @@ export function measured({
   steps = 8,
   shadow = null,
   outside = 0,
+  spread = 0.02,
+  outliers = 0,
 }) {
   return {
     cell: idOf(technique, params, axes),
@@ -66,11 +71,11 @@ export function measured({
       draw: {
         median_ms: ms,
         mad_ms: ms / 50,
-        ci95_ms: [0.98 * ms, 1.02 * ms],
+        ci95_ms: [(1 - spread) * ms, (1 + spread) * ms],
         n: 18,
         repeats: 1,
         rounds: 9,
-        outliers: 0,
+        outliers,
         lower_quartile_ms: 0.99 * ms,
       },
       ns_per_pixel: ms * 488,
@@ -134,19 +139,30 @@ export function unmeasured({ technique, axes = {}, status, reason }) {
 }
 
 /** `pictures` maps a cell's id to `{technique, truth, uv_error}`, functions from x and y to [red, green, blue]. */
-export function writeRun(folder, cells, { name = "test", device = "test device", rounds = 9, pictures = {} } = {}) {
+export function writeRun(
+  folder,
+  cells,
+  { name = "test", device = "test device", rounds = 9, samples = 2, pictures = {} } = {},
+) {
   mkdirSync(folder, { recursive: true });
   const lines = (values) => values.map((value) => `${JSON.stringify(value)}\n`).join("");
   writeFileSync(join(folder, "run.json"), JSON.stringify(record(name, device)));
   writeFileSync(join(folder, "cells.jsonl"), lines(cells));
-  const samples = [];
+  const visits = [];
   for (const { cell, time } of cells) {
     for (let round = 0; time.draw && round < rounds; ++round) {
       const ms = time.draw.median_ms * (1 + 0.01 * ((round % 3) - 1));
-      samples.push({ cell, pass: "draw", round, order: 0, repeats: 1, ms: [ms, ms * 1.01] });
+      visits.push({
+        cell,
+        pass: "draw",
+        round,
+        order: 0,
+        repeats: 1,
+        ms: Array.from({ length: samples }, (_, at) => ms * (1 + at / 100)),
+      });
     }
   }
-  writeFileSync(join(folder, "samples.jsonl"), lines(samples));
+  writeFileSync(join(folder, "samples.jsonl"), lines(visits));
   writeFileSync(
     join(folder, "summary.json"),
     JSON.stringify({ cells: { ok: cells.length, skipped: 0, failed: 0 }, total_s: 1 }),

@@ -71,6 +71,22 @@ TEST(Legend, ShowsTheWholeColourMapFromDarkToLight) {
     }
 }
 
+TEST(Legend, NamesEveryColourThatStandsForNoValue) {
+    for (const PixelMapScale& scale : pixel_map_scales()) {
+        Image<Coverage> coverage({5, 1});
+        coverage.texels = {Coverage::neither, Coverage::missed, Coverage::false_hit, Coverage::missed_outside,
+                           Coverage::tie};
+        std::set<Rgb8> named;
+        for (const Swatch& swatch : swatches_of(scale)) {
+            EXPECT_TRUE(named.insert(swatch.colour).second) << scale.name << ": " << swatch.text;
+        }
+        const Picture picture = map_picture(scale, Image<float>({5, 1}, undefined), coverage);
+        for (const Rgb8& colour : picture.texels) {
+            EXPECT_TRUE(named.contains(colour)) << scale.name;
+        }
+    }
+}
+
 TEST(Legend, IsNeverTooNarrowToRead) {
     const Font font;
     EXPECT_GE(legend(scale_of(PixelMap::depth_error), 8, font).size.width,

@@ -229,7 +229,8 @@ TEST(Page, HoldsRunsWithAllThatIsKnownOfThem) {
     run.pictures.technique = {0, -1, -1};
     run.pictures.truth = {1, -1, -1};
     run.pictures.maps["error"] = {2, -1, -1};
-    run.pictures.legends["error"] = {"UV error", "texels", 0.01, 10, true, {0, 0, 0, 255, 255, 255}, 3};
+    run.pictures.legends["error"] = {
+        "UV error", "texels", 0.01, 10, true, {0, 0, 0, 255, 255, 255}, {0.01, 1}, {{{26, 89, 255}, "missed"}}};
     PageComparison failed;
     failed.base = {"results/mine"};
     failed.changed = {"results/other"};
@@ -249,13 +250,15 @@ TEST(Page, HoldsRunsWithAllThatIsKnownOfThem) {
     EXPECT_TRUE(json.at("runs").at(0).at("summary").is_null());
     EXPECT_EQ(json.at("runs").at(0).at("cautions"), Json::array());
     EXPECT_EQ(json.at("runs").at(0).at("pictures").at("maps").at("error"), Json({2, -1, -1}));
-    EXPECT_EQ(json.at("runs").at(0).at("pictures").at("legends").at("error"), Json({{"title", "UV error"},
-                                                                                    {"unit", "texels"},
-                                                                                    {"dark", 0.01},
-                                                                                    {"light", 10.0},
-                                                                                    {"logarithmic", true},
-                                                                                    {"colours", "AAAA////"},
-                                                                                    {"picture", 3}}));
+    EXPECT_EQ(json.at("runs").at(0).at("pictures").at("legends").at("error"),
+              Json({{"title", "UV error"},
+                    {"unit", "texels"},
+                    {"dark", 0.01},
+                    {"light", 10.0},
+                    {"logarithmic", true},
+                    {"colours", "AAAA////"},
+                    {"marks", {0.01, 1}},
+                    {"others", Json::array({{{"colour", {26, 89, 255}}, {"text", "missed"}}})}}));
     EXPECT_EQ(json.at("comparison").at("failure"), "another device");
     EXPECT_TRUE(json.at("comparison").at("result").is_null());
 }

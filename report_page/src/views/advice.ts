@@ -13,7 +13,7 @@ import {
 } from "../advice.ts";
 import type { App, View } from "../app.ts";
 import { axisValueText, leadingNumber, numberOf, textOf, viewOf } from "../data.ts";
-import { settingElement } from "../describe.ts";
+import { settingElement, warning } from "../describe.ts";
 import { choose, fill, h } from "../dom.ts";
 import {
   costMetrics,
@@ -81,7 +81,7 @@ export function adviceView(app: App): View {
   const cost = choose("Cost", options(costs), "", (value) => app.update({ cost: value, budget: null }));
   const error = choose("Better by", options(errors), "", (value) => app.update({ error: value }));
   const fields = new LimitFields(app, [...errors, ...costs]);
-  const caution = h("p", { class: "notice" });
+  const caution = h("div", { class: "caution" });
   const answers = h("div", { class: "answers" });
   const more = h("p", { class: "note" });
   const element = h(
@@ -132,7 +132,7 @@ export function adviceView(app: App): View {
       fields.refresh(question, budget, usualError);
       const words = cautionWords(app, errorMetric, [...errors, ...costs]);
       caution.hidden = words.length === 0;
-      fill(caution, words.join(" "));
+      fill(caution, warning(words.join(" ")));
       fill(answers, ...groups.slice(0, mostGroups).map((group) => answerElement(app, group, question)));
       fill(
         more,

@@ -2,18 +2,29 @@
 
 import type { App, View } from "../app.ts";
 import { besideById, besideIds } from "../beside.ts";
-import { axisStyle, Chart, currentInk, figureAxis, type Ink, type Option, tooltipStyle } from "../chart.ts";
+import {
+  axisStyle,
+  Chart,
+  currentInk,
+  figureAxis,
+  type Ink,
+  insideZoom,
+  intervalLine,
+  type Option,
+  ticked,
+  tooltipStyle,
+} from "../chart.ts";
 import type { Cells } from "../data.ts";
-import { settingElement } from "../describe.ts";
+import { figureElements, outlierWarning, settingElement } from "../describe.ts";
 import { choose, fill, h } from "../dom.ts";
 import { measuredCells } from "../filter.ts";
 import {
   axisTitle,
   costMetrics,
   errorMetrics,
+  intervalOf,
   type Metric,
   metricById,
-  metricText,
   metricTitle,
   usualCost,
   usualError,
@@ -21,11 +32,14 @@ import {
 } from "../metrics.ts";
 import { counted, extent, significant } from "../numbers.ts";
 import { markOf } from "../palette.ts";
-import { figureScale, logBase, logRange, powerText } from "../scales.ts";
+import { figureScale, linearTicks, logRange, logTicks, tickText } from "../scales.ts";
 import { type Abscissa, abscissas, type Line, type LinePoint, lines, mixesViews, sweptTitle } from "../series.ts";
 import { besideTable } from "./beside_table.ts";
 
 const mostLines = 150;
+const mostLinesWithIntervals = 40;
+/** Of an axis, each with its number below the chart. */
+const mostNamedValues = 10;
 
 interface Swept {
   id: string;
@@ -114,6 +128,11 @@ function notes(app: App, found: Line[], x: Abscissa): string[] {
   if (found.some((line) => line.points.some((point) => point.cells.length > 1))) {
     texts.push("Points of several cells are means: geometric of the cost, arithmetic of the error.");
   }
+  if (
+    found.some((line) => line.points.some((point) => point.cells.length === 1)) &&
+    found.length <= mostLinesWithIntervals
+  )
+    texts.push("Bars: the 95 % interval of a single cell's time; means have none.");
   if (mixesViews(app.run().cells, found, x)) {
     texts.push(
       "Along a line other axes change too, and a slope may be theirs: filter for one height map or projection to compare like with like.",
@@ -131,10 +150,9 @@ function lineOption(
 ): Option {
   const ink = currentInk();
   const points = all.flatMap((line) => line.points);
-  const y = figureScale(
-    points.map(of).filter((value): value is number => value !== null),
-    metric.better,
-  );
+  const withIntervals = all.length <= mostLinesWithIntervals;
+  const ends = withIntervals ? points.flatMap((point) => intervalOfPoint(app, point, metric) ?? []) : [];
+  const y = figureScale([...points.map(of).filter((value): value is number => value !== null), ...ends], metric.better);
   const shownX = points.filter((point) => of(point) !== null).map((point) => point.x);
   const xRange = logRange(shownX);
   const [leastX, greatestX] = extent(shownX);
@@ -148,39 +166,36 @@ function lineOption(
       textStyle: { color: ink.text, fontFamily: ink.font, fontSize: ink.size * 1.1, fontWeight: 600 },
     },
     grid: { left: ink.size * 5, right: ink.size * 2, top: ink.size * 3, bottom: ink.size * 4.2 },
-    xAxis: {
-      ...axisStyle(ink, x.label),
-      type: x.scale === "log" ? "log" : "value",
-      ...(x.scale === "log" ? { logBase: logBase(xRange) } : {}),
-      nameGap: ink.size * 2.3,
-      min: x.scale === "log" ? xRange.min : Number((leastX - room * span).toPrecision(3)),
-      max: x.scale === "log" ? xRange.max : Number((greatestX + room * span).toPrecision(3)),
-      axisLabel: labelStyle(ink, x.scale === "log" ? powerText : (value) => String(Number(value.toPrecision(4)))),
-    },
+    xAxis: ticked(
+      {
+        ...axisStyle(ink, x.label),
+        type: x.scale === "log" ? "log" : "value",
+        nameGap: ink.size * 2.3,
+        min: x.scale === "log" ? xRange.min : leastX - room * span,
+        max: x.scale === "log" ? xRange.max : greatestX + room * span,
+      },
+      (from, to) => abscissaTicks(x, shownX, from, to),
+      tickText,
+    ),
     yAxis: figureAxis(ink, "", y, true),
-    dataZoom: [
-      { type: "inside", xAxisIndex: 0, filterMode: "none" },
-      { type: "inside", yAxisIndex: 0, filterMode: "none" },
-    ],
+    dataZoom: insideZoom(0),
     tooltip: {
       ...tooltipStyle(ink),
       formatter: (parameters: { data?: { line: Line; point: LinePoint } }) =>
         parameters.data ? pointTooltip(app, parameters.data.line, parameters.data.point, x, metric, of) : "",
     },
-    series: all.map((line) => lineSeries(app, ink, line, y.place, of)),
+    series: all.flatMap((line) => [
+      lineSeries(app, ink, line, y.place, of),
+      ...(withIntervals ? [lineIntervals(app, line, y.place, metric)] : []),
+    ]),
   };
 }
 
-function labelStyle(ink: Ink, formatter: (value: number) => string): object {
-  return {
-    color: ink.muted,
-    fontFamily: ink.font,
-    fontSize: ink.size,
-    hideOverlap: true,
-    showMinLabel: false,
-    showMaxLabel: false,
-    formatter,
-  };
+/** The values themselves where they are few, else round numbers. */
+function abscissaTicks(x: Abscissa, values: readonly number[], from: number, to: number): number[] {
+  const distinct = [...new Set(values)].filter((value) => value >= from && value <= to);
+  if (x.id !== "steps" && distinct.length >= 2 && distinct.length <= mostNamedValues) return distinct;
+  return x.scale === "log" ? logTicks(from, to) : linearTicks(from, to);
 }
 
 function lineSeries(
@@ -215,6 +230,19 @@ function lineSeries(
   };
 }
 
+/** Of a point that is one cell; of a mean nothing tells how sure it is. */
+function intervalOfPoint(app: App, { cells }: LinePoint, metric: Metric): [number, number] | null {
+  return cells.length === 1 ? intervalOf(metric, app.run().cells, cells[0]!) : null;
+}
+
+function lineIntervals(app: App, line: Line, place: (value: number) => number, metric: Metric): object {
+  const bars = line.points.flatMap((point) => {
+    const interval = intervalOfPoint(app, point, metric);
+    return interval === null ? [] : [...interval.map((end) => [point.x, place(end)]), [null, null]];
+  });
+  return intervalLine(bars, markOf(app.mark(line.technique), app.theme).colour);
+}
+
 function pointTooltip(
   app: App,
   line: Line,
@@ -223,6 +251,8 @@ function pointTooltip(
   metric: Metric,
   of: (point: LinePoint) => number | null,
 ): HTMLElement {
+  const { cells } = app.run();
+  const only = point.cells.length === 1 ? point.cells[0]! : null;
   return h(
     "div",
     { class: "tip" },
@@ -232,9 +262,9 @@ function pointTooltip(
       {},
       h("dt", {}, x.label),
       h("dd", {}, significant(point.x)),
-      h("dt", {}, metric.label),
-      h("dd", {}, metricText(metric, of(point))),
+      ...figureElements(cells, metric, of(point), only),
     ),
+    only === null ? null : outlierWarning(cells, only),
     h(
       "div",
       { class: "muted" },

@@ -10,6 +10,8 @@ import { arithmeticMean, counted, geometricMean, significant } from "../numbers.
 import { lineName } from "../series.ts";
 
 const mostRows = 100;
+/** With more values settings take several lines. */
+const mostWithWideSettings = 3;
 
 /** Of the first value in the row that was measured: what the others' costs are multiples of. */
 function ratioTo(app: App, metric: Metric, from: number, cell: number): number | null {
@@ -63,13 +65,12 @@ export function besideTable(app: App, beside: Beside, title: string, cost: Metri
   const { cells } = app.run();
   const first = (row: BesideRow) => row.cells.find((cell) => cell >= 0)!;
   const views = new Set(beside.rows.map((row) => viewLabel(cells, first(row), beside.names)));
-  const leading = views.size > 1 ? 2 : 1;
   const heads = beside.columns.map((text, at) =>
     h("th", { class: "value-head first", attrs: { colspan: at === 0 ? 2 : 3, scope: "colgroup" } }, text),
   );
   return h(
     "div",
-    { class: "beside" },
+    { class: `beside${beside.columns.length > mostWithWideSettings ? " tight" : ""}` },
     h("h3", {}, `Values of ${title} beside each other`),
     h(
       "div",
@@ -80,12 +81,11 @@ export function besideTable(app: App, beside: Beside, title: string, cost: Metri
         h(
           "thead",
           {},
-          h("tr", {}, h("th", { attrs: { colspan: leading } }), ...heads),
+          h("tr", {}, h("th", {}), ...heads),
           h(
             "tr",
             {},
             h("th", {}, "Setting"),
-            views.size > 1 ? h("th", {}, "View") : null,
             ...beside.columns.flatMap((_, at) => [
               h("th", { class: "number first" }, metricTitle(cost)),
               at === 0 ? null : h("th", { class: "number", title: `Cost over that of ${beside.columns[0]}` }, "cost"),
@@ -102,8 +102,14 @@ export function besideTable(app: App, beside: Beside, title: string, cost: Metri
               h(
                 "tr",
                 { class: "pinnable" },
-                h("td", {}, settingElement(app, lineName(cells, first(row), beside.names), row.technique)),
-                views.size > 1 ? h("td", {}, viewLabel(cells, first(row), beside.names)) : null,
+                h(
+                  "td",
+                  {},
+                  settingElement(app, lineName(cells, first(row), beside.names), row.technique),
+                  views.size > 1
+                    ? h("div", { class: "muted small" }, viewLabel(cells, first(row), beside.names))
+                    : null,
+                ),
                 ...figureCells(app, row, cost, error),
               ),
             ),
@@ -115,7 +121,7 @@ export function besideTable(app: App, beside: Beside, title: string, cost: Metri
               h(
                 "tr",
                 {},
-                h("td", { attrs: { colspan: leading } }, `Mean of ${counted(beside.rows.length, "row")}`),
+                h("td", {}, `Mean of ${counted(beside.rows.length, "row")}`),
                 ...meanCells(app, beside, cost, error),
               ),
             )

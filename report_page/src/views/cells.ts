@@ -1,29 +1,32 @@
 // Every cell in a table that sorts and filters.
 
 import type { App, View } from "../app.ts";
-import { hasFigure, reasonOf, settingOf, statusOf, techniqueOf, viewOf } from "../data.ts";
+import { hasFigure, reasonOf, settingOf, statusOf, techniqueOf, viewLabel } from "../data.ts";
 import { settingElement } from "../describe.ts";
 import { fill, h } from "../dom.ts";
 import { metricTitle, shownFigure, shownUnit } from "../metrics.ts";
 import { counted, figureText } from "../numbers.ts";
 import { type NamedFigure, searchCells, type SearchNote } from "../search.ts";
-import { type Column, sortRows, Table } from "../table.ts";
+import { type Column, identity, sortRows, Table } from "../table.ts";
 
-/** What is shown unless other columns are chosen: titles, which a search knows too, and the first figure that there is. */
+/**
+ * What is shown unless other columns are chosen: titles, which a search knows too, and the first figure that there is. Time
+ * and quality come first.
+ */
 const usual: [title: string, ...paths: string[]][] = [
   ["ms", "time.draw.median_ms"],
-  ["± MAD", "time.draw.mad_ms"],
-  ["ns/px", "time.ns_per_pixel"],
-  ["taps", "work.taps_mean"],
-  ["shadow_taps", "work.shadow_taps_mean"],
-  ["prep", "prepare.ms"],
-  ["uv50", "error.uv_texels.p50"],
   ["uv", "error.uv_texels.p99"],
-  ["depth", "error.depth.p99"],
+  ["uv50", "error.uv_texels.p50"],
   ["flip", "image.footprint.flip", "image.flip"],
   ["shadow", "error.shadow.mean"],
   ["missed", "error.missed"],
   ["false", "error.false_hits"],
+  ["depth", "error.depth.p99"],
+  ["taps", "work.taps_mean"],
+  ["shadow_taps", "work.shadow_taps_mean"],
+  ["ns/px", "time.ns_per_pixel"],
+  ["± MAD", "time.draw.mad_ms"],
+  ["prep", "prepare.ms"],
 ];
 
 interface FigureColumn extends Column<number> {
@@ -55,37 +58,28 @@ function usualColumns(app: App): FigureColumn[] {
   });
 }
 
-function wordColumns(app: App): Column<number>[] {
+/** Whose row it is: technique and parameters, what became of it where it was not measured, and below the view. */
+function identityColumn(app: App): Column<number> {
   const { cells } = app.run();
-  const status: Column<number> = {
-    id: "status",
-    title: "Status",
-    number: false,
-    key: (cell) => statusOf(cells, cell),
-    content: (cell) => h("span", { class: `status ${statusOf(cells, cell)}` }, statusOf(cells, cell)),
-  };
-  const setting: Column<number> = {
-    id: "setting",
-    title: "Technique and parameters",
-    number: false,
-    key: (cell) => settingOf(cells.id[cell]!),
+  return identity({
+    id: (cell) => cells.id[cell]!,
     content: (cell) => settingElement(app, settingOf(cells.id[cell]!), techniqueOf(cells, cell)),
-  };
-  const view: Column<number> = {
-    id: "view",
-    title: "View",
-    number: false,
-    key: (cell) => viewOf(cells.id[cell]!),
-    content: (cell) => viewOf(cells.id[cell]!),
-  };
-  const reason: Column<number> = {
+    below: (cell) => {
+      const status = statusOf(cells, cell);
+      return [status === "ok" ? null : h("span", { class: `status ${status}` }, status), viewLabel(cells, cell)];
+    },
+  });
+}
+
+function reasonColumn(app: App): Column<number> {
+  const { cells } = app.run();
+  return {
     id: "reason",
     title: "Reason",
     number: false,
     key: (cell) => reasonOf(cells, cell) || null,
     content: (cell) => reasonOf(cells, cell),
   };
-  return [status, setting, view, reason];
 }
 
 export function cellsView(app: App): View {
@@ -109,14 +103,9 @@ export function cellsView(app: App): View {
     onSort: (id) => app.update({ sort: app.state.sort === id ? `-${id}` : id }),
     onRow: (cell) => app.update({ pin: cells.id[cell]! }),
     rowClass: (cell) => `pinnable${cell === app.pinned() ? " pinned" : ""}`,
+    instead: (cell) => reasonOf(cells, cell) || null,
   });
-  const anyTrouble = (cells.words["status"]?.values.length ?? 0) > 1;
-  const [status, setting, view, reason] = wordColumns(app) as [
-    Column<number>,
-    Column<number>,
-    Column<number>,
-    Column<number>,
-  ];
+  const anyTrouble = cells.words["status"]?.values.some((status) => status !== "ok") ?? false;
 
   return {
     name: "cells",
@@ -140,7 +129,7 @@ export function cellsView(app: App): View {
     refresh() {
       if (document.activeElement !== query) query.value = app.state.query;
       const figures = figureColumns(app);
-      const columns = [...(anyTrouble ? [status] : []), setting, view, ...figures, ...(anyTrouble ? [reason] : [])];
+      const columns = [identityColumn(app), ...figures, ...(anyTrouble ? [reasonColumn(app)] : [])];
       const result = searchCells(cells, app.selection(), app.state.query, namedFigures(app, figures));
       const rows = sortRows(result.found, columns, app.state.sort);
       fill(count, counted(rows.length, "cell"));

@@ -1,7 +1,7 @@
 // What changed between runs, verdict by verdict.
 
 import type { App, View } from "../app.ts";
-import { axisStyle, Chart, currentInk, type Option, tooltipStyle } from "../chart.ts";
+import { axisStyle, Chart, currentInk, insideZoom, type Option, ticked, tooltipStyle } from "../chart.ts";
 import {
   type CellVerdict,
   type ComparisonResult,
@@ -10,13 +10,14 @@ import {
   type QualityVerdict,
   settingOf,
   type Verdict,
+  viewLabel,
   viewOf,
 } from "../data.ts";
-import { settingElement } from "../describe.ts";
+import { factList, settingElement, sign, warning } from "../describe.ts";
 import { fill, h } from "../dom.ts";
 import { changeText, counted, extent, significant } from "../numbers.ts";
-import { logBase, logRange, powerText } from "../scales.ts";
-import { type Column, sortRows, Table } from "../table.ts";
+import { linearTicks, logRange, logTicks, tickText } from "../scales.ts";
+import { type Column, identity, sortRows, Table } from "../table.ts";
 
 /** In the order in which they ask for attention. */
 const verdicts: Verdict[] = ["slower", "faster", "undecided", "same"];
@@ -42,9 +43,7 @@ export function changesView(app: App): View | null {
         h("span", { class: "muted" }, " to "),
         comparison.new.join(", "),
       ),
-      comparison.failure === null
-        ? null
-        : h("p", { class: "warning" }, `These runs were not compared: ${comparison.failure}`),
+      comparison.failure === null ? null : warning(`These runs were not compared: ${comparison.failure}`),
       content?.element ?? null,
     ),
     refresh: () => content?.refresh(),
@@ -52,7 +51,9 @@ export function changesView(app: App): View | null {
 }
 
 function isShown(cell: CellVerdict, wanted: string): boolean {
-  return wanted === "" || cell.verdict === wanted || (changedQualities.includes(wanted) && cell.quality.verdict === wanted);
+  return (
+    wanted === "" || cell.verdict === wanted || (changedQualities.includes(wanted) && cell.quality.verdict === wanted)
+  );
 }
 
 function resultElement(app: App, result: ComparisonResult): { element: HTMLElement; refresh(): void } {
@@ -73,7 +74,7 @@ function resultElement(app: App, result: ComparisonResult): { element: HTMLEleme
       "div",
       {},
       counts,
-      ...result.notices.map((notice) => h("p", { class: "notice" }, notice)),
+      factList(result.notices),
       chart.element,
       table.element,
       uncomparedElement(result),
@@ -154,37 +155,22 @@ function ratioOption(app: App, cells: readonly CellVerdict[], result: Comparison
   const reach = Math.exp(
     1.15 * extent([2 * Math.log1p(threshold), ...shown.map(([, ratio]) => Math.abs(Math.log(ratio)))])[1],
   );
-  const label = {
-    color: ink.muted,
-    fontFamily: ink.font,
-    fontSize: ink.size,
-    showMinLabel: false,
-    showMaxLabel: false,
-  };
   // Small changes read best on a linear scale; doubling and halving lie as far from 1.
-  const scale =
-    reach < 2 ? { type: "value", min: 2 - reach, max: reach } : { type: "log", logBase: 2, min: 1 / reach, max: reach };
+  const isSmall = reach < 2;
+  const y = { ...axisStyle(ink, "Change of time"), nameGap: ink.size * 4.4, type: isSmall ? "value" : "log" };
   return {
     grid: { left: ink.size * 6, right: ink.size * 2, top: ink.size * 1.5, bottom: ink.size * 4 },
-    xAxis: {
-      ...axisStyle(ink, "Draw time, ms"),
-      type: "log",
-      logBase: logBase(x),
-      min: x.min,
-      max: x.max,
-      nameGap: ink.size * 2.2,
-      axisLabel: { ...label, formatter: powerText },
-    },
-    yAxis: {
-      ...axisStyle(ink, "Change of time"),
-      ...scale,
-      nameGap: ink.size * 4.4,
-      axisLabel: { ...label, formatter: (value: number) => changeText(value) },
-    },
-    dataZoom: [
-      { type: "inside", xAxisIndex: 0, filterMode: "none" },
-      { type: "inside", yAxisIndex: 0, filterMode: "none" },
-    ],
+    xAxis: ticked(
+      { ...axisStyle(ink, "Draw time (ms)"), type: "log", min: x.min, max: x.max, nameGap: ink.size * 2.2 },
+      logTicks,
+      tickText,
+    ),
+    yAxis: ticked(
+      { ...y, min: isSmall ? 2 - reach : 1 / reach, max: reach },
+      isSmall ? linearTicks : powersOfTwo,
+      (value) => changeText(value),
+    ),
+    dataZoom: insideZoom(0),
     tooltip: {
       ...tooltipStyle(ink),
       formatter: (parameters: { data?: { cell?: CellVerdict } }) =>
@@ -204,6 +190,13 @@ function ratioOption(app: App, cells: readonly CellVerdict[], result: Comparison
       },
     })),
   };
+}
+
+/** Doublings and halvings. */
+function powersOfTwo(from: number, to: number): number[] {
+  const [least, greatest] = [Math.ceil(Math.log2(from)), Math.floor(Math.log2(to))];
+  if (greatest - least < 1) return logTicks(from, to);
+  return Array.from({ length: greatest - least + 1 }, (_, at) => 2 ** (least + at));
 }
 
 function techniqueIn(id: string): string {
@@ -247,7 +240,17 @@ function qualityElement({ verdict, changes }: CellVerdict["quality"]): HTMLEleme
 }
 
 function verdictColumns(app: App): Column<CellVerdict>[] {
+  const { cells } = app.run();
+  const index = new Map(cells.id.map((id, at) => [id, at]));
   return [
+    identity({
+      id: (row) => row.cell,
+      content: (row) => settingElement(app, settingOf(row.cell), techniqueIn(row.cell)),
+      below: (row) => {
+        const at = index.get(row.cell);
+        return [at === undefined ? viewOf(row.cell) : viewLabel(cells, at)];
+      },
+    }),
     {
       id: "verdict",
       title: "Verdict",
@@ -265,27 +268,19 @@ function verdictColumns(app: App): Column<CellVerdict>[] {
     },
     { id: "interval", title: "95 % interval", number: true, key: (row) => row.ci95[0], content: intervalText },
     {
+      id: "quality",
+      title: "Quality",
+      number: false,
+      key: (row) => qualities.indexOf(row.quality.verdict),
+      content: (row) => qualityElement(row.quality),
+    },
+    {
       id: "visible",
       title: "Visible",
       help: "The smallest change that this evidence would show in 99 of 100 cases",
       number: true,
       key: (row) => row.visible,
       content: (row) => (row.visible === null ? "–" : `${significant(100 * row.visible, 2)} %`),
-    },
-    {
-      id: "setting",
-      title: "Technique and parameters",
-      number: false,
-      key: (row) => settingOf(row.cell),
-      content: (row) => settingElement(app, settingOf(row.cell), techniqueIn(row.cell)),
-    },
-    { id: "view", title: "View", number: false, key: (row) => viewOf(row.cell), content: (row) => viewOf(row.cell) },
-    {
-      id: "quality",
-      title: "Quality",
-      number: false,
-      key: (row) => qualities.indexOf(row.quality.verdict),
-      content: (row) => qualityElement(row.quality),
     },
     { id: "why", title: "Why", number: false, key: (row) => row.reason, content: (row) => row.reason },
   ];
@@ -294,10 +289,11 @@ function verdictColumns(app: App): Column<CellVerdict>[] {
 function uncomparedElement(result: ComparisonResult): HTMLElement | null {
   if (result.uncompared.length === 0) return null;
   const most = 200;
+  const failed = result.uncompared.some((cell) => cell.failed_now);
   return h(
     "details",
-    { class: "troubles", attrs: { open: result.uncompared.some((cell) => cell.failed_now) } },
-    h("summary", {}, `${counted(result.uncompared.length, "cell")} not compared`),
+    { class: failed ? "warning" : "fact", attrs: { open: failed } },
+    h("summary", {}, failed ? sign() : null, `${counted(result.uncompared.length, "cell")} not compared`),
     h(
       "ul",
       {},

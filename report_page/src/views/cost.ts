@@ -15,13 +15,15 @@ import {
   viewLabel,
   viewOf,
 } from "../data.ts";
-import { settingElement } from "../describe.ts";
+import { settingElement, sign, warning } from "../describe.ts";
 import { choose, fill, h, segments } from "../dom.ts";
 import { reasonGroups } from "../filter.ts";
 import {
   costMetrics,
   errorMetrics,
   hitsWithinLimit,
+  intervalOf,
+  manyOutliers,
   type Metric,
   metricById,
   metricText,
@@ -33,7 +35,7 @@ import { counted } from "../numbers.ts";
 import { paretoFront } from "../pareto.ts";
 import { settingPoints } from "../settings.ts";
 import type { PointsMode } from "../state.ts";
-import { chartOption, type Mark, type Panel, panelLayout } from "./cost_chart.ts";
+import { chartOption, manyMarks, type Mark, type Panel, panelLayout } from "./cost_chart.ts";
 
 const mostPanels = 12;
 /** Pixels, of a chart that is not yet on the page. */
@@ -125,11 +127,13 @@ export function costView(app: App): View {
     if (cell !== undefined) app.update({ pin: app.run().cells.id[cell]! });
   });
   const note = h("p", { class: "note" });
+  const disturbed = h("div", { class: "disturbed" });
   const front = h("div", { class: "front" });
   const element = h(
     "section",
     { class: "view-cost" },
     troubles(app),
+    disturbed,
     h("div", { class: "controls" }, error.element, cost.element, facet.element, mode.element),
     chart.element,
     note,
@@ -152,6 +156,7 @@ export function costView(app: App): View {
       }
       error.select.value = errorMetric.id;
       cost.select.value = costMetric.id;
+      fill(disturbed, disturbedWarning(app, costMetric));
       const all = panelCells(app, facetOf(app));
       const panels = all
         .slice(0, mostPanels)
@@ -160,10 +165,19 @@ export function costView(app: App): View {
       const width = chart.element.clientWidth || Math.min(usualWidth, innerWidth);
       chart.element.style.setProperty("--rows", String(panelLayout(panels.length, width).rows));
       chart.show(chartOption(app, panels, costMetric, errorMetric, width));
-      fill(note, ...noteTexts(app, panels, all.length, errorMetric).map((text) => h("span", {}, text)));
+      fill(note, ...noteTexts(app, panels, all.length, costMetric, errorMetric).map((text) => h("span", {}, text)));
       fill(front, panels.length === 1 ? frontTable(app, panels[0]!, costMetric, errorMetric) : null);
     },
   };
+}
+
+/** How many of the cells shown have times in which other work took part. */
+function disturbedWarning(app: App, cost: Metric): HTMLElement | null {
+  const { cells } = app.run();
+  const many = app.measured().filter((cell) => manyOutliers(cells, cell) !== null).length;
+  if (many === 0 || !cost.id.startsWith("time.")) return null;
+  const all = counted(app.measured().length, "cell");
+  return warning(`More than 10 % of the samples are outliers in ${many} of ${all}: something disturbed their times.`);
 }
 
 /** What became of cells that were not measured. */
@@ -171,10 +185,11 @@ function troubles(app: App): HTMLElement | null {
   const groups = reasonGroups(app.run().cells);
   if (groups.length === 0) return null;
   const count = groups.reduce((sum, group) => sum + group.cells.length, 0);
+  const failed = groups.some((group) => group.status !== "skipped");
   return h(
     "details",
-    { class: "troubles" },
-    h("summary", {}, `${counted(count, "cell")} ${count === 1 ? "was" : "were"} not measured`),
+    { class: failed ? "warning" : "fact" },
+    h("summary", {}, failed ? sign() : null, `${counted(count, "cell")} ${count === 1 ? "was" : "were"} not measured`),
     h(
       "ul",
       {},
@@ -193,7 +208,7 @@ function troubles(app: App): HTMLElement | null {
   );
 }
 
-function noteTexts(app: App, panels: Panel[], wanted: number, error: Metric): string[] {
+function noteTexts(app: App, panels: Panel[], wanted: number, cost: Metric, error: Metric): string[] {
   const texts: string[] = [];
   if (panels.length === 0) texts.push("The filter leaves no measured cell.");
   if (wanted > panels.length) texts.push(`Showing ${panels.length} of ${wanted} panels: filter to see the others.`);
@@ -207,6 +222,15 @@ function noteTexts(app: App, panels: Panel[], wanted: number, error: Metric): st
     const where = app.state.points === "cells" ? "" : " in one of their views";
     texts.push(
       `Faint: ${hidden} with missed and false hits above 0.5 % of the footprint${where}, whose errors do not count; they are kept off the front.`,
+    );
+  }
+  const { cells } = app.run();
+  const shown = panels.flatMap((panel) => panel.marks);
+  if (shown.length > 0 && app.state.points === "cells" && shown.some(({ cell }) => intervalOf(cost, cells, cell))) {
+    texts.push(
+      shown.length > manyMarks
+        ? `Times have bars for their 95 % intervals where ${manyMarks.toLocaleString("en")} points or fewer are shown.`
+        : "Bars: the 95 % interval of the time.",
     );
   }
   if (panels.length > 0) {

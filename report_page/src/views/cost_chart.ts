@@ -1,11 +1,11 @@
 // The scatters of error against cost, one per panel, on shared scales.
 
 import type { App } from "../app.ts";
-import { currentInk, figureAxis, type Ink, type Option, tooltipStyle } from "../chart.ts";
+import { currentInk, figureAxis, type Ink, insideZoom, intervalLine, type Option, tooltipStyle } from "../chart.ts";
 import { settingOf } from "../data.ts";
 import { cellTooltip, settingElement } from "../describe.ts";
 import { h } from "../dom.ts";
-import { axisTitle, type Metric, metricText } from "../metrics.ts";
+import { axisTitle, intervalOf, type Metric, metricText } from "../metrics.ts";
 import { markOf } from "../palette.ts";
 import { type FigureScale, figureScale } from "../scales.ts";
 
@@ -27,8 +27,8 @@ export interface Panel {
   views: number;
 }
 
-/** More are drawn smaller. */
-const manyMarks = 1500;
+/** More are drawn smaller, and without their intervals. */
+export const manyMarks = 1500;
 
 /** Pixels that a panel needs across. */
 const leastPanelWidth = 230;
@@ -49,16 +49,11 @@ export function chartOption(app: App, panels: Panel[], cost: Metric, error: Metr
   const ink = currentInk();
   const { columns, rows } = panelLayout(panels.length, chartWidth);
   const marks = panels.flatMap((panel) => panel.marks);
-  const x = figureScale(
-    marks.map((mark) => mark.cost),
-    cost.better,
-  );
-  const y = figureScale(
-    marks.map((mark) => mark.error),
-    error.better,
-  );
-  const grids = panels.map((panel, at) => panelGrid(ink, panel, at, columns, rows, chartWidth));
   const many = marks.length > manyMarks;
+  const ends = (metric: Metric) => (many ? [] : marks.flatMap((mark) => intervalOfMark(app, mark, metric) ?? []));
+  const x = figureScale([...marks.map((mark) => mark.cost), ...ends(cost)], cost.better);
+  const y = figureScale([...marks.map((mark) => mark.error), ...ends(error)], error.better);
+  const grids = panels.map((panel, at) => panelGrid(ink, panel, at, columns, rows, chartWidth));
   const isLeft = (at: number) => at % columns === 0;
   const isLowest = (at: number) => at + columns >= panels.length;
   return {
@@ -74,16 +69,16 @@ export function chartOption(app: App, panels: Panel[], cost: Metric, error: Metr
       nameGap: ink.size * 3.9,
       gridIndex: at,
     })),
-    dataZoom: panels.flatMap((_, at) => [
-      { type: "inside", xAxisIndex: at, filterMode: "none" },
-      { type: "inside", yAxisIndex: at, filterMode: "none" },
-    ]),
+    dataZoom: panels.flatMap((_, at) => insideZoom(at)),
     tooltip: {
       ...tooltipStyle(ink),
       formatter: (parameters: { data?: PlotDatum }) =>
         parameters.data?.mark ? markTooltip(app, parameters.data.mark, cost, error) : "",
     },
-    series: panels.flatMap((panel, at) => panelSeries(app, ink, panel, at, x, y, many)),
+    series: panels.flatMap((panel, at) => [
+      ...panelSeries(app, ink, panel, at, x, y, many),
+      ...(many ? [] : intervalSeries(app, panel, at, x, y, cost, error)),
+    ]),
   };
 }
 
@@ -179,6 +174,36 @@ function panelSeries(
     z: many ? 4 : 2,
   };
   return [front, ...scatters, pinRing(app, ink, panel, at, place)];
+}
+
+/** Of a mark that is one cell; of a mean nothing tells how sure it is. */
+function intervalOfMark(app: App, mark: Mark, metric: Metric): [number, number] | null {
+  return mark.setting === null ? intervalOf(metric, app.run().cells, mark.cell) : null;
+}
+
+/** The 95 % intervals of the cells' figures, along either axis: one line for each technique, with gaps. */
+function intervalSeries(
+  app: App,
+  panel: Panel,
+  at: number,
+  x: FigureScale,
+  y: FigureScale,
+  cost: Metric,
+  error: Metric,
+): object[] {
+  const bars = new Map<string, (number | null)[][]>();
+  for (const mark of panel.marks) {
+    const points = bars.get(mark.technique) ?? [];
+    bars.set(mark.technique, points);
+    const along = intervalOfMark(app, mark, cost)?.map((end) => [x.place(end), y.place(mark.error)]);
+    const across = intervalOfMark(app, mark, error)?.map((end) => [x.place(mark.cost), y.place(end)]);
+    for (const ends of [along, across]) if (ends !== undefined) points.push(...ends, [null, null]);
+  }
+  return [...bars]
+    .filter(([, points]) => points.length > 0)
+    .map(([technique, data]) =>
+      intervalLine(data, markOf(app.mark(technique), app.theme).colour, { xAxisIndex: at, yAxisIndex: at }),
+    );
 }
 
 function pinRing(app: App, ink: Ink, panel: Panel, at: number, place: (mark: Mark) => [number, number]): object {

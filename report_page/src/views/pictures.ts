@@ -1,18 +1,20 @@
-// The pinned cell's pictures: truth, technique and error map side by side, with a slider, a flip and a magnifier.
+// The pictures of the pinned cell, or of the best: truth, technique and error map side by side, with a slider, a flip and a
+// magnifier.
 
 import type { App, View } from "../app.ts";
 import type { MapLegend } from "../data.ts";
+import { warning } from "../describe.ts";
 import { choose, fill, h, segments } from "../dom.ts";
-import { significant } from "../numbers.ts";
-import { bytesOfBase64, draw, type Picture, Pictures, valueOfColour } from "../pictures.ts";
+import { draw, type Picture, Pictures } from "../pictures.ts";
 import type { PictureMode } from "../state.ts";
-import { pinFirst } from "./timing.ts";
+import { legendElement, legendValueText } from "./map_legend.ts";
+import { shownCell } from "./shown_cell.ts";
 
 interface Shown {
   truth: Picture | null;
   technique: Picture | null;
   map: Picture | null;
-  legend: Picture | null;
+  legend: MapLegend | null;
 }
 
 const modes: PictureMode[] = ["side", "slider", "flip"];
@@ -89,17 +91,14 @@ export function picturesView(app: App): View {
     point(pixel);
   };
 
-  async function load(): Promise<void> {
-    const wanted = wantedPictures(app);
+  async function load(wanted: Wanted): Promise<void> {
     const key = JSON.stringify([wanted, app.state.mode, mapName(app)]);
     if (key === drawn) return;
     drawn = key;
     const get = (at: number): Promise<Picture> | null => (at < 0 ? null : pictures.get(at));
-    const [truth, technique, error, legend] = await Promise.all(
-      [wanted.truth, wanted.technique, wanted.map, wanted.legend].map(get),
-    );
+    const [truth, technique, error] = await Promise.all([wanted.truth, wanted.technique, wanted.map].map(get));
     if (key !== drawn) return;
-    shown = { truth: truth ?? null, technique: technique ?? null, map: error ?? null, legend: legend ?? null };
+    shown = { truth: truth ?? null, technique: technique ?? null, map: error ?? null, legend: legendOf(app) };
     pixel ??= middle(shown.technique ?? shown.truth);
     redraw();
   }
@@ -111,16 +110,15 @@ export function picturesView(app: App): View {
     refresh() {
       mode.set(app.state.mode);
       map.select.value = mapName(app);
-      const reason = whyNone(app);
-      fill(empty, reason);
-      const hidden = reason !== null;
-      for (const part of [stage, lens]) part.hidden = hidden;
-      if (hidden) {
+      const { wanted, why } = shownPictures(app);
+      fill(empty, why);
+      for (const part of [stage, lens]) part.hidden = wanted === null;
+      if (wanted === null) {
         drawn = "";
         return;
       }
-      load().catch((problem: unknown) =>
-        fill(empty, h("p", { class: "warning" }, `The pictures cannot be unpacked: ${String(problem)}`)),
+      load(wanted).catch((problem: unknown) =>
+        fill(empty, warning(`The pictures cannot be unpacked: ${String(problem)}`)),
       );
     },
     key(event) {
@@ -142,7 +140,7 @@ export function picturesView(app: App): View {
         ArrowDown: [0, 1],
       };
       const move = moves[event.key];
-      if (move === undefined || size === null || app.pinned() < 0) return false;
+      if (move === undefined || size === null || stage.hidden) return false;
       const from = pixel ?? middle(size)!;
       point({ x: clamp(from.x + step * move[0], size.width), y: clamp(from.y + step * move[1], size.height) });
       return true;
@@ -182,29 +180,36 @@ function mapTitle(name: string): string {
   return words === "" ? "Error map" : words[0]!.toUpperCase() + words.slice(1);
 }
 
-function wantedPictures(app: App): { truth: number; technique: number; map: number; legend: number } {
+/** Positions in the page's pictures, -1 for none. */
+interface Wanted {
+  truth: number;
+  technique: number;
+  map: number;
+}
+
+function wantedPictures(app: App, cell: number): Wanted {
   const { pictures } = app.run();
-  const cell = app.pinned();
   return {
     truth: pictures.truth[cell] ?? -1,
     technique: pictures.technique[cell] ?? -1,
     map: pictures.maps[mapName(app)]?.[cell] ?? -1,
-    legend: legendOf(app)?.picture ?? -1,
   };
 }
 
-function whyNone(app: App): HTMLElement | null {
-  if (app.pinned() < 0) return pinFirst();
-  const wanted = wantedPictures(app);
-  if (wanted.truth >= 0 || wanted.technique >= 0) return null;
+/** What is there of which cell, and what has to be said: why this cell, or why there is nothing. */
+function shownPictures(app: App): { wanted: Wanted | null; why: HTMLElement | null } {
   const { pictures } = app.run();
+  const { cell, why } = shownCell(app, (each) => (pictures.technique[each] ?? -1) >= 0);
   const any = pictures.technique.some((at) => at >= 0);
+  const wanted = wantedPictures(app, cell);
+  if (cell >= 0 && (wanted.truth >= 0 || wanted.technique >= 0)) return { wanted, why };
+  if (cell < 0 && any) return { wanted: null, why };
   const text = !any
     ? 'This run kept no pictures. Set "images": true in its configuration, run it and make the report again.'
     : pictures.left_out > 0
       ? `The pictures of ${pictures.left_out} cells did not fit into this file, this cell's among them. reliefbench report --picture-megabytes makes room.`
       : "There are no pictures of this cell: it was not measured.";
-  return h("p", { class: "empty" }, text);
+  return { wanted: null, why: h("p", { class: "empty" }, text) };
 }
 
 function onPointer(element: HTMLElement, picture: Picture | null, point: (pixel: Pixel) => void): void {
@@ -246,11 +251,7 @@ function paneOf(name: string, title: string, picture: Picture | null, point: (pi
 
 function mapPane(shown: Shown, map: string, point: (pixel: Pixel) => void): HTMLElement {
   const pane = paneOf("map", mapTitle(map), shown.map, point);
-  if (shown.legend !== null) {
-    const legend = h("canvas", { class: "legend", attrs: { role: "img", "aria-label": "What the colours mean" } });
-    draw(shown.legend, legend);
-    pane.append(legend);
-  }
+  if (shown.legend !== null) pane.append(legendElement(shown.legend));
   return pane;
 }
 
@@ -379,16 +380,7 @@ function lensPart(title: string, picture: Picture | null, pixel: Pixel, legend: 
       {},
       h("b", {}, title),
       h("span", { class: "pixel-value" }, colour === null ? "–" : colour.join("  ")),
-      legend === null || colour === null ? null : h("span", { class: "map-value" }, valueText(colour, legend)),
+      legend === null || colour === null ? null : h("span", { class: "map-value" }, legendValueText(colour, legend)),
     ),
   );
-}
-
-/** "0.31 texels", as exactly as a colour tells; "" where the colour is no value's. */
-function valueText(colour: readonly number[], legend: MapLegend): string {
-  const value = valueOfColour(colour, legend, bytesOfBase64(legend.colours));
-  if (value === null) return "";
-  const least = value === legend.dark && legend.logarithmic ? "at most " : "";
-  const most = value === legend.light && legend.logarithmic ? "at least " : "";
-  return `${least}${most}${significant(value, 2)} ${legend.unit}`;
 }

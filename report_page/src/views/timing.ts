@@ -1,10 +1,13 @@
-// The pinned cell's timing: samples over rounds pass by pass, preparation, pipeline statistics.
+// Timing of the pinned cell, or of the best: samples over rounds pass by pass, preparation, pipeline statistics.
 
 import type { App, View } from "../app.ts";
-import { axisStyle, Chart, currentInk, type Option, tooltipStyle } from "../chart.ts";
+import { axisStyle, Chart, currentInk, intervalLine, type Option, ticked, tooltipStyle } from "../chart.ts";
 import { numberOf, type RunData, textOf } from "../data.ts";
+import { outlierWarning } from "../describe.ts";
 import { fill, h } from "../dom.ts";
-import { bytesText, counted, significant } from "../numbers.ts";
+import { bytesText, counted, extent, significant } from "../numbers.ts";
+import { linearTicks, tickText } from "../scales.ts";
+import { shownCell } from "./shown_cell.ts";
 
 /** Samples of consecutive rounds of one pass of a cell. */
 interface Group {
@@ -44,23 +47,21 @@ export function timingView(app: App): View {
     title: "Timing",
     element: h("section", { class: "view-timing" }, content),
     refresh() {
-      const cell = app.pinned();
+      const { cell, why } = shownCell(app, (each) => numberOf(app.run().cells, "time.draw.median_ms", each) !== null);
       if (cell < 0) {
-        fill(content, pinFirst());
+        fill(content, why);
         return;
       }
       fill(
         content,
+        why,
         passTable(app.run(), cell),
+        outlierWarning(app.run().cells, cell),
         ...roundsElements(app, cell),
         h("div", { class: "columns" }, preparationTable(app.run(), cell), ...statisticsTables(app.run(), cell)),
       );
     },
   };
-}
-
-export function pinFirst(): HTMLElement {
-  return h("p", { class: "empty" }, "Pin a cell first: click a point of a chart or a row of the table, or press j.");
 }
 
 const figures: [string, string][] = [
@@ -87,8 +88,9 @@ function passTable(run: RunData, cell: number): HTMLElement {
         (pass): pass is string => pass !== undefined && numberOf(run.cells, `time.${pass}.median_ms`, cell) !== null,
       ),
   );
+  if (passes.size === 0) return h("p", { class: "empty" }, "There are no times of this cell: it was not measured.");
   const stop = textOf(run.cells.words["time.stop"], cell);
-  return h(
+  const table = h(
     "table",
     { class: "figures" },
     h("caption", {}, "Passes", stop === null ? null : h("span", { class: "muted" }, ` (sampling stopped: ${stop})`)),
@@ -112,9 +114,20 @@ function passTable(run: RunData, cell: number): HTMLElement {
       ),
     ),
   );
+  return h("div", { class: "scroll-x", attrs: { tabindex: 0, role: "region", "aria-label": "Passes" } }, table);
 }
 
-const boxes = "Boxes: quartiles; whiskers: least and greatest.";
+/** Quartiles of fewer samples say no more than the samples. */
+export const fewestForBox = 5;
+
+/** What is drawn of groups with so many samples. */
+function drawnText(groups: readonly Group[]): string {
+  const boxed = groups.filter((group) => group.samples >= fewestForBox).length;
+  const box = "Boxes: quartiles; whiskers: least and greatest";
+  const line = "Dots: the median; lines: least to greatest";
+  if (boxed === groups.length) return `${box}.`;
+  return boxed === 0 ? `${line}.` : `${box}. Of fewer than ${fewestForBox} samples: ${line.toLowerCase()}.`;
+}
 
 /** A chart over rounds for each pass that was sampled in rounds, and one for all that were before them. */
 function roundsElements(app: App, cell: number): HTMLElement[] {
@@ -125,7 +138,7 @@ function roundsElements(app: App, cell: number): HTMLElement[] {
     .map((pass) =>
       figure(
         pass.name,
-        `${sampledText(pass)}. ${boxes} Lines: the median and its 95 % interval.`,
+        `${sampledText(pass)}. ${drawnText(pass.groups)} Across: the median and its 95 % interval.`,
         roundsOption(app, pass, cell),
       ),
     );
@@ -133,7 +146,7 @@ function roundsElements(app: App, cell: number): HTMLElement[] {
     elements.push(
       figure(
         "Before the rounds",
-        `${before.map((pass) => `${pass.name}: ${counted(pass.groups[0]!.samples, "sample")}`).join(", ")}. ${boxes}`,
+        `${before.map((pass) => `${pass.name}: ${counted(pass.groups[0]!.samples, "sample")}`).join(", ")}. ${drawnText(before.map((pass) => pass.groups[0]!))}`,
         beforeOption(before),
       ),
     );
@@ -163,15 +176,23 @@ function boxOption(
   axisName: string,
   groups: Group[],
   titles: string[],
+  levels: number[] = [],
 ): Option & { series: object[] } {
   const ink = currentInk();
+  const [least, greatest] = extent([...groups.flatMap((group) => group.ms), ...levels]);
+  const room = 0.08 * (greatest - least) || 0.08 * greatest || 1;
+  const few = groups.map((group) => group.samples < fewestForBox);
   return {
     grid: { left: ink.size * 5, right: ink.size * 2, top: ink.size, bottom: ink.size * 3.6 },
     xAxis: [
       { ...axisStyle(ink, axisName), type: "category", data: names, nameGap: ink.size * 2, splitLine: { show: false } },
       { type: "value", min: -0.5, max: names.length - 0.5, show: false },
     ],
-    yAxis: { ...axisStyle(ink, "ms"), type: "value", scale: true, nameGap: ink.size * 3.6 },
+    yAxis: ticked(
+      { ...axisStyle(ink, "ms"), type: "value", min: least - room, max: greatest + room, nameGap: ink.size * 3.6 },
+      linearTicks,
+      tickText,
+    ),
     tooltip: {
       ...tooltipStyle(ink),
       formatter: ({ dataIndex }: { dataIndex: number }) => groupTooltip(titles[dataIndex]!, groups[dataIndex]!),
@@ -179,9 +200,27 @@ function boxOption(
     series: [
       {
         type: "boxplot",
-        data: groups.map((group) => group.ms),
+        data: groups.map((group, at) => (few[at] ? group.ms.map(() => NaN) : group.ms)),
         itemStyle: { color: ink.panel, borderColor: ink.text, borderWidth: 1.2 },
         boxWidth: [4, 26],
+      },
+      intervalLine(
+        groups.flatMap(({ ms }, at) =>
+          few[at]
+            ? [
+                [at, ms[0]!],
+                [at, ms[4]!],
+                [null, null],
+              ]
+            : [],
+        ),
+        ink.text,
+      ),
+      {
+        type: "scatter",
+        data: groups.map((group, at) => [at, few[at] ? group.ms[2]! : NaN]),
+        symbolSize: ink.size * 0.6,
+        itemStyle: { color: ink.text, opacity: 1 },
       },
     ],
   };
@@ -199,14 +238,16 @@ function beforeOption(passes: Pass[]): Option {
 
 function roundsOption(app: App, pass: Pass, cell: number): Option {
   const ink = currentInk();
+  const of = (key: string) => numberOf(app.run().cells, `time.${pass.name}.${key}`, cell);
+  const levels = ["median_ms", "ci95_ms.low", "ci95_ms.high"].flatMap((key) => of(key) ?? []);
   const rounds = pass.groups.map((group) => String(group.firstRound));
   const option = boxOption(
     rounds,
     "round",
     pass.groups,
     rounds.map((round) => `Round ${round}`),
+    levels,
   );
-  const of = (key: string) => numberOf(app.run().cells, `time.${pass.name}.${key}`, cell);
   const level = (value: number | null, style: object) =>
     value === null
       ? []
@@ -235,12 +276,17 @@ function roundsOption(app: App, pass: Pass, cell: number): Option {
 
 function groupTooltip(title: string, group: Group): HTMLElement {
   const names = ["least", "lower quartile", "median", "upper quartile", "greatest"];
+  const shown = names.flatMap((name, at) => (group.samples < fewestForBox && at % 2 === 1 ? [] : [{ name, at }]));
   return h(
     "div",
     { class: "tip" },
     h("b", {}, title),
     h("div", { class: "muted" }, counted(group.samples, "sample")),
-    h("dl", {}, ...names.flatMap((name, at) => [h("dt", {}, name), h("dd", {}, `${significant(group.ms[at], 4)} ms`)])),
+    h(
+      "dl",
+      {},
+      ...shown.flatMap(({ name, at }) => [h("dt", {}, name), h("dd", {}, `${significant(group.ms[at], 4)} ms`)]),
+    ),
   );
 }
 
@@ -256,6 +302,7 @@ function rowsTable(caption: string, rows: [string, string][]): HTMLElement | nul
 
 function preparationTable(run: RunData, cell: number): HTMLElement | null {
   const of = (path: string) => numberOf(run.cells, path, cell);
+  if (of("prepare.ms") === null && of("work.covered_pixels") === null) return null;
   const work: [string, string][] = [
     ["Taps", "work.taps_mean"],
     ["Taps, 95th percentile", "work.taps_p95"],
