@@ -73,7 +73,7 @@ export function figureElements(cells: Cells, metric: Metric, value: number | nul
   ];
 }
 
-/** That other work took part in a cell's times; null where it did not. */
+/** That a cell has too many outliers; null where it has not. */
 export function outlierWarning(cells: Cells, cell: number): HTMLElement | null {
   const many = manyOutliers(cells, cell);
   if (many === null) return null;

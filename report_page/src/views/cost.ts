@@ -171,7 +171,7 @@ export function costView(app: App): View {
   };
 }
 
-/** How many of the cells shown have times in which other work took part. */
+/** How many of the cells shown have too many outliers. */
 function disturbedWarning(app: App, cost: Metric): HTMLElement | null {
   const { cells } = app.run();
   const many = app.measured().filter((cell) => manyOutliers(cells, cell) !== null).length;

@@ -48,14 +48,8 @@ export function picturesView(app: App): View {
   const stage = h("div", { class: "stage" });
   const lens = h("div", { class: "lens", attrs: { "aria-live": "off" } });
   const empty = h("div", {});
-  const element = h(
-    "section",
-    { class: "view-pictures" },
-    empty,
-    h("div", { class: "controls" }, mode.element, names.length > 1 ? map.element : null),
-    stage,
-    lens,
-  );
+  const controls = h("div", { class: "controls" }, mode.element, names.length > 1 ? map.element : null);
+  const element = h("section", { class: "view-pictures" }, empty, controls, stage, lens);
 
   let shown: Shown = { truth: null, technique: null, map: null, legend: null };
   let showsTruth = false;
@@ -112,7 +106,7 @@ export function picturesView(app: App): View {
       map.select.value = mapName(app);
       const { wanted, why } = shownPictures(app);
       fill(empty, why);
-      for (const part of [stage, lens]) part.hidden = wanted === null;
+      for (const part of [controls, stage, lens]) part.hidden = wanted === null;
       if (wanted === null) {
         drawn = "";
         return;

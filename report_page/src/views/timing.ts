@@ -118,7 +118,7 @@ function passTable(run: RunData, cell: number): HTMLElement {
 }
 
 /** Quartiles of fewer samples say no more than the samples. */
-export const fewestForBox = 5;
+const fewestForBox = 5;
 
 /** What is drawn of groups with so many samples. */
 function drawnText(groups: readonly Group[]): string {
