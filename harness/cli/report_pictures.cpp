@@ -54,8 +54,7 @@ PagePicture read_picture(const std::filesystem::path& path, int& step) {
     for (std::size_t pixel = 0; pixel < raster.size.pixels(); ++pixel) {
         for (std::size_t channel = 0; channel < 3; ++channel) {
             // Grey files have one channel for all three.
-            const float value = raster.values[pixel * channels + (channels < 3 ? 0 : channel)];
-            picture.rgb.push_back(to_byte(value));
+            picture.rgb.push_back(to_byte(raster.fraction(pixel * channels + (channels < 3 ? 0 : channel))));
         }
     }
     const int needed = (std::max(picture.width, picture.height) + largest_side - 1) / largest_side;

@@ -35,23 +35,23 @@ Bytes deflated(const Bytes& bytes) {
 }
 
 /// One way of writing a picture; the smallest is taken.
-struct Packing {
+struct PagePacking {
     Json record;
     Bytes data;
     std::size_t bytes = 0;
 };
 
-Packing make_packing(Json record, const Bytes& raw, std::size_t bytes_beside) {
-    Packing packing{std::move(record), deflated(raw), 0};
+PagePacking make_packing(Json record, const Bytes& raw, std::size_t bytes_beside) {
+    PagePacking packing{std::move(record), deflated(raw), 0};
     packing.bytes = packing.data.size() + bytes_beside;
     return packing;
 }
 
-Packing as_rgb(const PagePicture& picture) {
+PagePacking as_rgb(const PagePicture& picture) {
     return make_packing({{"packing", "rgb"}}, picture.rgb, 0);
 }
 
-Packing as_difference(const PagePicture& picture, const PagePicture& base, std::size_t base_at) {
+PagePacking as_difference(const PagePicture& picture, const PagePicture& base, std::size_t base_at) {
     Bytes difference(picture.rgb.size());
     std::transform(picture.rgb.begin(), picture.rgb.end(), base.rgb.begin(), difference.begin(),
                    [](std::uint8_t value, std::uint8_t from) { return static_cast<std::uint8_t>(value - from); });
@@ -78,7 +78,7 @@ int brightness(Colour colour) {
 
 /// Colours in the order of their brightness, so that near values of a colour map have near indices. Empty where there
 /// are too many to be worth while.
-std::optional<Packing> as_palette(const PagePicture& picture) {
+std::optional<PagePacking> as_palette(const PagePicture& picture) {
     const std::size_t pixels = picture.rgb.size() / channels;
     const std::size_t most_colours = std::min<std::size_t>(4096, pixels / 8);
     std::unordered_map<Colour, std::size_t> index;
@@ -108,12 +108,12 @@ std::optional<Packing> as_palette(const PagePicture& picture) {
     return make_packing({{"packing", "palette"}, {"palette", base64(colours)}}, indices, colours.size());
 }
 
-Packing smallest_packing(const PagePicture& picture, const PagePicture* base, std::size_t base_at) {
+PagePacking smallest_packing(const PagePicture& picture, const PagePicture* base, std::size_t base_at) {
     // At most two bytes a pixel and a short palette are fewer than three: such a picture need not be tried without.
-    std::optional<Packing> palette = as_palette(picture);
-    Packing best = palette ? std::move(*palette) : as_rgb(picture);
+    std::optional<PagePacking> palette = as_palette(picture);
+    PagePacking best = palette ? std::move(*palette) : as_rgb(picture);
     if (base == nullptr) return best;
-    Packing difference = as_difference(picture, *base, base_at);
+    PagePacking difference = as_difference(picture, *base, base_at);
     return difference.bytes < best.bytes ? std::move(difference) : std::move(best);
 }
 
@@ -149,7 +149,7 @@ std::size_t PagePictures::add(const PagePicture& picture, std::optional<std::siz
     if (!is_new) return known->second;
 
     const bool fits_base = base && pictures_[*base].width == picture.width && pictures_[*base].height == picture.height;
-    Packing packing = smallest_packing(picture, fits_base ? &pictures_[*base] : nullptr, base.value_or(0));
+    PagePacking packing = smallest_packing(picture, fits_base ? &pictures_[*base] : nullptr, base.value_or(0));
     Json record = {{"width", picture.width}, {"height", picture.height}};
     record.update(packing.record);
     record["data"] = base64(packing.data);

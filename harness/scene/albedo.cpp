@@ -1,13 +1,16 @@
 #include "scene/albedo.hpp"
 
 #include "core/error.hpp"
+#include "core/suggest.hpp"
 #include "scene/colour.hpp"
 #include "scene/image_file.hpp"
 #include "scene/raster_limits.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace reliefbench {
 
@@ -26,6 +29,35 @@ void check_albedo_size(const std::string& name, Resolution size) {
         fail("albedo '{}' of {}x{}: each side must have at most {} texels; scale it down", name, size.width,
              size.height, largest_side);
     }
+}
+
+/// R, G and B, or the one channel of grey.
+using ColourChannels = std::vector<std::size_t>;
+
+std::optional<ColourChannels> rgb_of_layer(const std::vector<std::string>& names, const std::string& layer) {
+    ColourChannels channels;
+    for (const char* colour : {"R", "G", "B"}) {
+        const auto found = std::ranges::find(names, layer + colour);
+        if (found == names.end()) return std::nullopt;
+        channels.push_back(static_cast<std::size_t>(found - names.begin()));
+    }
+    return channels;
+}
+
+/// Alpha and what else there is is left out. A colour picture that is a layer among others is taken where it is the
+/// only one.
+ColourChannels colour_channels(const std::string& path, const std::vector<std::string>& names) {
+    if (const auto plain = rgb_of_layer(names, "")) return *plain;
+    std::vector<ColourChannels> layers;
+    for (const std::string& name : names) {
+        if (!name.ends_with(".R")) continue;
+        if (const auto layer = rgb_of_layer(names, name.substr(0, name.size() - 1))) layers.push_back(*layer);
+    }
+    if (layers.size() == 1) return layers.front();
+    const bool is_grey = names.size() == 1 || (names.size() == 2 && names[0] == "Y" && names[1] == "A");
+    if (layers.empty() && is_grey) return {0};
+    fail("albedo '{}' has the channels {}, which are not one colour picture; save it as a file of its own", path,
+         join(names));
 }
 
 Albedo default_albedo(const HeightMap& map) {
@@ -67,27 +99,27 @@ std::array<double, 3> Albedo::sample(double u, double v) const {
 
 Resolution albedo_size(const HeightMapSource& source, Resolution height_map) {
     if (source.albedo.empty()) return height_map;
-    const Resolution size = read_raster_header(source.albedo).size;
-    check_albedo_size(source.albedo, size);
-    return size;
+    const RasterFile header = read_raster_header(source.albedo);
+    check_albedo_size(source.albedo, header.size);
+    colour_channels(source.albedo, header.channel_names);
+    return header.size;
 }
 
 Albedo load_albedo(const HeightMapSource& source, const HeightMap& map) {
     if (source.albedo.empty()) return default_albedo(map);
-    const RasterFile raster = read_raster_file(source.albedo);
+    const ColourChannels channels = colour_channels(source.albedo, read_raster_header(source.albedo).channel_names);
+    const RasterFile raster = read_raster_file(source.albedo, {.part = "", .channels = channels});
     const Resolution size = raster.size;
     check_albedo_size(source.albedo, size);
-    // One channel, or one and alpha: grey. Alpha is ignored.
-    const bool grey = raster.channels() < 3;
     Albedo albedo;
     albedo.texels = Image<std::array<float, 4>>(size);
     for (int y = 0; y < size.height; ++y) {
         const auto row = static_cast<std::size_t>(size.height - 1 - y) * size.width;
         for (int x = 0; x < size.width; ++x) {
-            const float* values = raster.values.data() + (row + x) * static_cast<std::size_t>(raster.channels());
             std::array<float, 4>& texel = albedo.texels.at(x, y);
-            for (int channel = 0; channel < 3; ++channel) {
-                const double encoded = values[grey ? 0 : channel];
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                const std::size_t stored = std::min(channel, channels.size() - 1);
+                const double encoded = raster.fraction((row + x) * channels.size() + stored);
                 if (!std::isfinite(encoded)) {
                     fail("albedo '{}' has the value {} in column {}, row {} from the bottom: repair the file",
                          source.albedo, encoded, x, y);

@@ -4,15 +4,16 @@
 #include "core/hash.hpp"
 #include "core/log.hpp"
 #include "core/suggest.hpp"
-#include "scene/image_file.hpp"
 #include "scene/procedural.hpp"
 #include "scene/raster_limits.hpp"
+#include "scene/stored_heights.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -45,29 +46,23 @@ bool is_procedural(const std::string& name) {
          did_you_mean(name, known), join(known));
 }
 
-/// One channel, bottom row first.
-Image<float> heights_of_channel(const RasterFile& raster, int channel) {
-    Image<float> heights(raster.size);
-    const auto channels = static_cast<std::size_t>(raster.channels());
-    for (int y = 0; y < raster.size.height; ++y) {
-        const auto row = static_cast<std::size_t>(raster.size.height - 1 - y) * raster.size.width;
-        for (int x = 0; x < raster.size.width; ++x) {
-            heights.at(x, y) = raster.values[(row + x) * channels + channel];
-        }
-    }
-    return heights;
-}
-
-/// How stored values become heights: (value − low) / (high − low), clamped when asked.
+/// How stored values become heights: (value − low) / (high − low), clamped.
 struct ValueMapping {
     double low = 0;
     double high = 1;
-    bool clamped = false;
+    /// The source asks for it; else it is the file's full scale, beyond which there may be no values.
+    bool is_given = false;
 };
 
 void check_options(const HeightMapSource& source) {
     if (source.normalize && source.height_range) {
         fail("height map '{}': normalize and height_range exclude each other; give one", source.name);
+    }
+    if (source.packing != Packing::none && !source.channel.empty()) {
+        fail("height map '{}': packing and channel exclude each other; give one", source.name);
+    }
+    if (source.raw && (source.packing != Packing::none || !source.channel.empty() || !source.part.empty())) {
+        fail("height map '{}' has numbers without a header: part, channel and packing are for images", source.name);
     }
     if (source.height_range) {
         const auto [low, high] = *source.height_range;
@@ -78,22 +73,26 @@ void check_options(const HeightMapSource& source) {
     }
 }
 
+/// "column 3, row 4 from the bottom".
+std::string texel_text(std::size_t index, int width) {
+    const auto columns = static_cast<std::size_t>(width);
+    return fmt::format("column {}, row {} from the bottom", index % columns, index / columns);
+}
+
 void check_values(const std::string& name, const Image<float>& values) {
     for (std::size_t index = 0; index < values.texels.size(); ++index) {
         if (!std::isfinite(values.texels[index])) {
-            const int width = values.size.width;
-            fail(
-                "height map '{}' has the value {} in column {}, row {} from the bottom: heights must be finite; "
-                "repair the file",
-                name, values.texels[index], index % width, index / width);
+            fail("height map '{}' has the value {} in {}: heights must be finite; repair the file", name,
+                 values.texels[index], texel_text(index, values.size.width));
         }
     }
 }
 
-void check_heights(const std::string& name, float smallest, float largest) {
-    if (smallest < 0 || largest > 1) {
-        fail("height map '{}' has values from {} to {}: heights must lie in [0, 1]; give height_range or normalize",
-             name, smallest, largest);
+/// `full_scale` is the value that stands for 1.
+void check_heights(const std::string& name, float smallest, float largest, double full_scale) {
+    if (smallest < 0 || largest > static_cast<float>(full_scale)) {
+        fail("height map '{}' has values from {} to {}: heights must lie in [0, {}]; give height_range or normalize",
+             name, smallest, largest, full_scale);
     }
 }
 
@@ -113,46 +112,103 @@ HeightMap finish(Image<float> heights, HeightFormat format, std::string name, st
     return map;
 }
 
-HeightMap load_image(const HeightMapSource& source, HeightFormat format) {
-    const RasterFile raster = read_raster_file(source.name);
-    check_size(source.name, raster.size);
-    if (source.channel < 0 || source.channel >= raster.channels()) {
-        fail("height map '{}' has no channel {}: it has {} ({}), counted from 0", source.name, source.channel,
-             raster.channels(), join(raster.channel_names));
+/// Of the texels that something is known of, in the file's own numbers.
+struct ValueRange {
+    float smallest = std::numeric_limits<float>::infinity();
+    float largest = -std::numeric_limits<float>::infinity();
+};
+
+/// Gives texels of which nothing is known the value that the source has for them.
+ValueRange fill_gaps(const HeightMapSource& source, std::optional<double> nodata, Image<float>& values) {
+    ValueRange range;
+    std::size_t gaps = 0;
+    std::size_t first_gap = 0;
+    for (std::size_t index = 0; index < values.texels.size(); ++index) {
+        float& value = values.texels[index];
+        if (std::isnan(value) || (nodata && value == static_cast<float>(*nodata))) {
+            if (gaps++ == 0) first_gap = index;
+            if (!source.fill) continue;
+            value = static_cast<float>(*source.fill);
+        } else {
+            range.smallest = std::min(range.smallest, value);
+            range.largest = std::max(range.largest, value);
+        }
     }
-    Image<float> values = heights_of_channel(raster, source.channel);
+    if (gaps == 0) return range;
+    const std::string what = nodata ? fmt::format("{} or NaN", *nodata) : "NaN";
+    const std::string where = texel_text(first_gap, values.size.width);
+    if (!source.fill) {
+        fail(
+            "height map '{}' has no data ({}) in {} of {} texels, the first in {}: heights must be finite; give "
+            "\"fill\", the value that they get, or repair the file",
+            source.name, what, gaps, values.texels.size(), where);
+    }
+    if (gaps == values.texels.size()) fail("height map '{}' has no data ({}) in any texel", source.name, what);
+    log_warning("height map '{}' has no data ({}) in {} of {} texels, the first in {}: they get {}", source.name, what,
+                gaps, values.texels.size(), where, *source.fill);
+    return range;
+}
+
+void check_range_is_used(const HeightMapSource& source, const Image<float>& values, ValueRange range) {
+    const double low = source.height_range->front();
+    const double high = source.height_range->back();
+    const std::string what =
+        fmt::format("height map '{}' has values from {} to {}", source.name, range.smallest, range.largest);
+    if (range.smallest > high || range.largest < low) {
+        fail("{}, and none inside height_range [{}, {}]: give it in the file's own numbers", what, low, high);
+    }
+    const auto clamped = static_cast<std::size_t>(
+        std::ranges::count_if(values.texels, [&](float value) { return value < low || value > high; }));
+    if (clamped > values.texels.size() / 2) {
+        log_warning("{}: {} of {} texels lie outside height_range [{}, {}] and are clamped", what, clamped,
+                    values.texels.size(), low, high);
+    }
+}
+
+ValueMapping mapping_of(const HeightMapSource& source, const StoredHeights& stored, ValueRange range) {
+    if (source.normalize) return {range.smallest, range.largest, true};
+    if (source.height_range) return {(*source.height_range)[0], (*source.height_range)[1], true};
+    return {0, stored.full_scale, false};
+}
+
+HeightMap load_image(const HeightMapSource& source, HeightFormat format) {
+    StoredHeights stored = read_stored_heights(source);
+    Image<float>& values = stored.values;
+    check_size(source.name, values.size);
+    const ValueRange range = fill_gaps(source, source.nodata ? source.nodata : stored.nodata, values);
     check_values(source.name, values);
+    if (source.height_range) check_range_is_used(source, values, range);
 
-    const auto [smallest, largest] = std::minmax_element(values.texels.begin(), values.texels.end());
-    ValueMapping mapping;
-    if (source.normalize) mapping = {*smallest, *largest, false};
-    if (source.height_range) mapping = {(*source.height_range)[0], (*source.height_range)[1], true};
-    const bool mapped = source.normalize || source.height_range.has_value();
-    if (!mapped) check_heights(source.name, *smallest, *largest);
-
+    const ValueMapping mapping = mapping_of(source, stored, range);
+    if (!mapping.is_given) {
+        const auto [smallest, largest] = std::minmax_element(values.texels.begin(), values.texels.end());
+        check_heights(source.name, *smallest, *largest, stored.full_scale);
+    }
     // A constant map has no extent to stretch: its smallest value goes to 0.
     const double extent = mapping.high > mapping.low ? mapping.high - mapping.low : 1.0;
+    const bool inverted = source.invert != stored.zero_is_white;
     for (float& value : values.texels) {
-        double height = mapped ? (value - mapping.low) / extent : value;
-        if (mapping.clamped) height = std::clamp(height, 0.0, 1.0);
-        value = static_cast<float>(source.invert ? 1.0 - height : height);
+        const double height = std::clamp((value - mapping.low) / extent, 0.0, 1.0);
+        value = static_cast<float>(inverted ? 1.0 - height : height);
     }
 
-    std::vector<std::string> steps;
-    if (raster.channels() > 1) steps.push_back("channel " + raster.channel_names[source.channel]);
-    if (mapped) steps.push_back(fmt::format("[{}, {}] → [0, 1]", mapping.low, mapping.high));
+    std::vector<std::string> steps = std::move(stored.notes);
+    if (mapping.is_given) steps.push_back(fmt::format("[{}, {}] → [0, 1]", mapping.low, mapping.high));
     if (source.invert) steps.push_back("inverted");
+    if (source.fill) steps.push_back(fmt::format("filled with {}", *source.fill));
     if (steps.empty()) steps.push_back("as stored");
     return finish(std::move(values), format, std::filesystem::path(source.name).filename().string(), join(steps));
 }
 
 HeightMap generate(const HeightMapSource& source, HeightFormat format) {
     check_size(source.name, source.size);
-    if (source.channel != 0 || source.invert || source.normalize || source.height_range) {
-        fail(
-            "height map '{}' is procedural: channel, invert, normalize and height_range are for image files; "
-            "leave them out",
-            source.name);
+    HeightMapSource plain;
+    plain.name = source.name;
+    plain.size = source.size;
+    plain.seed = source.seed;
+    plain.albedo = source.albedo;
+    if (source != plain) {
+        fail("height map '{}' is procedural: what says how a file is read is not for it; leave it out", source.name);
     }
     return finish(generate_height_map(source.name, source.size, source.seed), format, source.name, "as generated");
 }
@@ -221,7 +277,7 @@ HeightMap load_height_map(const HeightMapSource& source, HeightFormat format) {
 }
 
 Resolution height_map_size(const HeightMapSource& source) {
-    const Resolution size = is_procedural(source.name) ? source.size : read_raster_header(source.name).size;
+    const Resolution size = is_procedural(source.name) ? source.size : stored_heights_size(source);
     check_size(source.name, size);
     return size;
 }
@@ -231,7 +287,7 @@ HeightMap make_height_map(const Image<float>& heights, HeightFormat format, std:
     assert(heights.texels.size() == heights.size.pixels());
     check_values(name, heights);
     const auto [smallest, largest] = std::minmax_element(heights.texels.begin(), heights.texels.end());
-    check_heights(name, *smallest, *largest);
+    check_heights(name, *smallest, *largest, 1);
     return finish(heights, format, std::move(name), "as given");
 }
 

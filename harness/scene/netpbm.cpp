@@ -23,6 +23,7 @@ struct Header {
     int channels = 1;
     /// The largest stored integer, or for floats the scale, whose sign tells the byte order.
     double maximum_or_scale = 0;
+    /// From the character between header and pixels on.
     std::string_view pixels;
 };
 
@@ -34,13 +35,17 @@ bool is_space(char character) {
     return character == ' ' || (character >= '\t' && character <= '\r');
 }
 
+/// With the end of its line.
+std::size_t length_of_comment(std::string_view text) {
+    return std::min(text.find_first_of("\r\n"), text.size() - 1) + 1;
+}
+
 /// Takes one word off the front, with the white space and the comments before it.
 std::string_view take_word(std::string_view& text) {
     while (!text.empty() && (is_space(text.front()) || text.front() == '#')) {
-        const std::size_t skipped = text.front() == '#' ? text.find('\n') : 1;
-        text.remove_prefix(std::min(skipped, text.size()));
+        text.remove_prefix(text.front() == '#' ? length_of_comment(text) : 1);
     }
-    const auto end = std::find_if(text.begin(), text.end(), is_space);
+    const auto end = std::find_if(text.begin(), text.end(), [](char c) { return is_space(c) || c == '#'; });
     const std::string_view word = text.substr(0, static_cast<std::size_t>(end - text.begin()));
     text.remove_prefix(word.size());
     return word;
@@ -65,10 +70,33 @@ Header parse_header(std::string_view bytes, const std::filesystem::path& path) {
     const bool usable = header.is_float ? std::abs(header.maximum_or_scale) > 0
                                         : header.maximum_or_scale >= 1 && header.maximum_or_scale <= 65535;
     if (!usable) fail_damaged(path, header.is_float ? "its scale is 0" : "its largest value is not in 1 to 65535");
-    // One white space character stands between header and pixels, which may look like white space themselves.
     if (bytes.empty()) fail_damaged(path, "it ends with its header");
-    header.pixels = bytes.substr(1);
+    header.pixels = bytes;
     return header;
+}
+
+std::size_t bytes_of_value(const Header& header) {
+    return header.is_float ? sizeof(float) : header.maximum_or_scale > 255 ? 2 : 1;
+}
+
+/// One white space character stands between header and pixels, which may look like white space themselves. A comment
+/// may stand before it ("255# depth"): the format's page has its line end belong to the comment, netpbm's programs have
+/// it be that character, and the length of the file tells which.
+std::string_view pixels_behind(const Header& header, const std::filesystem::path& path) {
+    const std::size_t values = header.size.pixels() * static_cast<std::size_t>(header.channels);
+    const std::size_t expected = values * bytes_of_value(header);
+    std::string_view bytes = header.pixels;
+    const bool after_comment = bytes.front() == '#';
+    bytes.remove_prefix(after_comment ? length_of_comment(bytes) : 1);
+    if (after_comment && bytes.size() == expected + 1 && is_space(bytes.front())) bytes.remove_prefix(1);
+    if (bytes.size() < expected) fail_damaged(path, "it has fewer pixels than its header says");
+    if (bytes.size() > expected) {
+        fail(
+            "cannot read image '{}': it has {} {} more than its header says (one white space character, no comment, "
+            "stands between header and pixels); write it anew",
+            path.string(), bytes.size() - expected, bytes.size() - expected == 1 ? "byte" : "bytes");
+    }
+    return bytes;
 }
 
 /// The stored value at `position`, in units of the format: integers are big-endian.
@@ -84,14 +112,11 @@ float stored_float(std::string_view pixels, std::size_t position, bool swapped) 
     return std::bit_cast<float>(bytes);
 }
 
-std::size_t bytes_of_value(const Header& header) {
-    return header.is_float ? sizeof(float) : header.maximum_or_scale > 255 ? 2 : 1;
-}
-
 RasterFile without_values(const Header& header) {
     RasterFile raster;
     raster.size = header.size;
     raster.bits = static_cast<int>(8 * bytes_of_value(header));
+    if (!header.is_float) raster.full_scale = header.maximum_or_scale;
     raster.channel_names =
         header.channels == 3 ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};
     return raster;
@@ -118,20 +143,18 @@ RasterFile parse_netpbm(std::string_view bytes, const std::filesystem::path& pat
     const std::size_t row_values =
         static_cast<std::size_t>(header.size.width) * static_cast<std::size_t>(header.channels);
     const std::size_t count = row_values * static_cast<std::size_t>(header.size.height);
-    if (header.pixels.size() < count * bytes_each) fail_damaged(path, "it has fewer pixels than its header says");
-
+    const std::string_view pixels = pixels_behind(header, path);
     RasterFile raster = without_values(header);
-    check_raster_memory(path, raster);
+    check_raster_memory(path, raster, raster.size);
     raster.values.resize(count);
     const bool swapped = (header.maximum_or_scale > 0) == (std::endian::native == std::endian::little);
     for (std::size_t index = 0; index < count; ++index) {
         if (header.is_float) {
             // A float map's rows run from the bottom up.
             const std::size_t row = static_cast<std::size_t>(header.size.height) - 1 - index / row_values;
-            raster.values[row * row_values + index % row_values] = stored_float(header.pixels, index, swapped);
+            raster.values[row * row_values + index % row_values] = stored_float(pixels, index, swapped);
         } else {
-            raster.values[index] =
-                static_cast<float>(stored_integer(header.pixels, index, bytes_each) / header.maximum_or_scale);
+            raster.values[index] = static_cast<float>(stored_integer(pixels, index, bytes_each));
         }
     }
     return raster;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/image_file.hpp"
+#include "scene/raster_file.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -17,7 +17,8 @@ inline constexpr std::size_t longest_netpbm_header = 4096;
 bool is_netpbm(std::string_view bytes);
 
 /// PGM and PPM (binary, 8 or 16 bits) and PFM (both byte orders; of its scale only the sign counts, which tells the
-/// byte order). `path` is for messages. Throws Error for what is damaged, cut short or larger than can be read.
+/// byte order). `path` is for messages. Throws Error for what is damaged, of fewer or more bytes than its header says,
+/// or larger than can be read.
 RasterFile parse_netpbm(std::string_view bytes, const std::filesystem::path& path);
 
 /// Of the first bytes of a file.

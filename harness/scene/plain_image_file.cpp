@@ -2,7 +2,9 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "scene/image_format.hpp"
 #include "scene/netpbm.hpp"
+#include "scene/png_tags.hpp"
 #include "scene/raster_limits.hpp"
 
 #include <stb_image.h>
@@ -10,16 +12,21 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 namespace reliefbench {
 
 namespace {
 
-constexpr std::string_view png_magic = "\x89PNG\r\n\x1a\n";
+constexpr const char* plain_images =
+    "a PNG, PFM, or binary PGM or PPM image, which is what this portable build reads (one with OpenImageIO reads JPEG, "
+    "TIFF and OpenEXR, too)";
 
 struct FreePixels {
     void operator()(void* pixels) const { stbi_image_free(pixels); }
@@ -44,12 +51,13 @@ std::vector<std::string> names_of_channels(int count) {
     }
 }
 
-template <typename Stored>
-std::vector<float> fractions_of_maximum(const Stored* stored, std::size_t count) {
-    constexpr double maximum = std::numeric_limits<Stored>::max();
+/// The stored numbers, which the decoder has stretched to the whole of its type.
+template <typename Decoded>
+std::vector<float> stored_numbers(const Decoded* decoded, std::size_t count, double full_scale) {
+    const double stretched = std::numeric_limits<Decoded>::max() / full_scale;
     std::vector<float> values(count);
-    std::transform(stored, stored + count, values.begin(),
-                   [](Stored value) { return static_cast<float>(value / maximum); });
+    std::transform(decoded, decoded + count, values.begin(),
+                   [stretched](Decoded value) { return static_cast<float>(std::round(value / stretched)); });
     return values;
 }
 
@@ -57,24 +65,34 @@ const stbi_uc* data_of(std::string_view bytes) {
     return reinterpret_cast<const stbi_uc*>(bytes.data());
 }
 
-RasterFile parse_png_header(std::string_view bytes, const std::filesystem::path& path) {
+PngTags png_tags(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return read_png_tags(file);
+}
+
+/// As stored, before its orientation is applied.
+RasterFile parse_png_header(std::string_view bytes, const std::filesystem::path& path, const PngTags& tags) {
     if (bytes.size() > std::numeric_limits<int>::max()) fail("cannot read image '{}': it is too large", path.string());
     const int length = static_cast<int>(bytes.size());
     int width = 0;
     int height = 0;
     int channels = 0;
     if (!stbi_info_from_memory(data_of(bytes), length, &width, &height, &channels)) fail_to_read(path);
+    // Of a palette's the decoder knows by itself.
+    if (tags.has_transparent_colour && channels % 2 == 1) ++channels;
     check_raster_size(path, width, height, channels);
     RasterFile raster;
     raster.size = {width, height};
     raster.channel_names = names_of_channels(channels);
     raster.bits = stbi_is_16_bit_from_memory(data_of(bytes), length) ? 16 : 8;
+    raster.full_scale = std::exp2(std::clamp(tags.bits, 1, raster.bits)) - 1;
     return raster;
 }
 
 RasterFile parse_png(std::string_view bytes, const std::filesystem::path& path) {
-    RasterFile raster = parse_png_header(bytes, path);
-    check_raster_memory(path, raster);
+    const PngTags tags = png_tags(path);
+    RasterFile raster = parse_png_header(bytes, path, tags);
+    check_raster_memory(path, raster, raster.size);
     const stbi_uc* const data = data_of(bytes);
     const int length = static_cast<int>(bytes.size());
     int width = 0;
@@ -85,21 +103,14 @@ RasterFile parse_png(std::string_view bytes, const std::filesystem::path& path) 
         const std::unique_ptr<stbi_us, FreePixels> pixels(
             stbi_load_16_from_memory(data, length, &width, &height, &channels, channels));
         if (!pixels) fail_to_read(path);
-        raster.values = fractions_of_maximum(pixels.get(), count);
+        raster.values = stored_numbers(pixels.get(), count, raster.full_scale);
     } else {
         const std::unique_ptr<stbi_uc, FreePixels> pixels(
             stbi_load_from_memory(data, length, &width, &height, &channels, channels));
         if (!pixels) fail_to_read(path);
-        raster.values = fractions_of_maximum(pixels.get(), count);
+        raster.values = stored_numbers(pixels.get(), count, raster.full_scale);
     }
-    return raster;
-}
-
-[[noreturn]] void fail_unknown_format(const std::filesystem::path& path) {
-    fail(
-        "cannot read image '{}': this portable build reads PNG, PFM and binary PGM and PPM only; convert it, or use a "
-        "build with OpenImageIO",
-        path.string());
+    return oriented(std::move(raster), tags.orientation);
 }
 
 std::string format_png(const RasterFile& raster, const std::filesystem::path& path) {
@@ -118,22 +129,27 @@ std::string format_png(const RasterFile& raster, const std::filesystem::path& pa
 
 }  // namespace
 
-RasterFile read_plain_image(const std::filesystem::path& path) {
+RasterFile read_plain_image(const std::filesystem::path& path, const ImageChoice& choice) {
+    check_is_image_file(path);
+    check_single_part(path, choice.part);
     const std::string bytes = read_text_file(path);
-    if (is_netpbm(bytes)) return parse_netpbm(bytes, path);
-    if (bytes.starts_with(png_magic)) return parse_png(bytes, path);
-    fail_unknown_format(path);
+    if (!is_netpbm(bytes) && !bytes.starts_with(png_magic)) fail_unread_format(path, bytes, plain_images);
+    RasterFile raster = is_netpbm(bytes) ? parse_netpbm(bytes, path) : parse_png(bytes, path);
+    return choice.channels.empty() ? std::move(raster) : with_channels(raster, choice.channels);
 }
 
-RasterFile read_plain_header(const std::filesystem::path& path) {
+RasterFile read_plain_header(const std::filesystem::path& path, const std::string& part) {
+    check_is_image_file(path);
+    check_single_part(path, part);
     const std::string bytes = read_text_file(path);
     if (is_netpbm(bytes)) return parse_netpbm_header(bytes, path);
-    if (bytes.starts_with(png_magic)) return parse_png_header(bytes, path);
-    fail_unknown_format(path);
+    if (!bytes.starts_with(png_magic)) fail_unread_format(path, bytes, plain_images);
+    const PngTags tags = png_tags(path);
+    return oriented(parse_png_header(bytes, path, tags), tags.orientation);
 }
 
 void write_plain_image(const std::filesystem::path& path, const RasterFile& raster) {
-    assert(raster.values.size() == raster.size.pixels() * raster.channel_names.size());
+    assert(raster.values.size() == raster.size.pixels() * raster.channel_names.size() && raster.full_scale == 1);
     const std::string extension = path.extension().string();
     if (extension == ".png") {
         write_text_file(path, format_png(raster, path));

@@ -26,8 +26,9 @@ void check_raster_size(const std::filesystem::path& path, int width, int height,
     }
 }
 
-void check_raster_memory(const std::filesystem::path& path, const RasterFile& header) {
-    const std::uint64_t values = std::uint64_t{header.size.pixels()} * header.channel_names.size();
+void check_raster_memory(const std::filesystem::path& path, const RasterFile& header, Resolution decoded) {
+    const std::uint64_t pixels = std::max(header.size.pixels(), decoded.pixels());
+    const std::uint64_t values = pixels * header.channel_names.size();
     const std::uint64_t needed = values * (sizeof(float) + static_cast<std::uint64_t>(header.bits) / 8);
     const std::uint64_t available = available_memory();
     if (needed <= available) return;

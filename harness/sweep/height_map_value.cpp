@@ -16,6 +16,25 @@ namespace {
 constexpr int largest_side = 16384;
 constexpr int largest_channel = 1023;
 
+template <typename Value>
+struct NamedValue {
+    const char* name;
+    Value value;
+};
+
+const std::vector<NamedValue<RawLayout::SampleType>> sample_types{{"uint8", RawLayout::SampleType::uint8},
+                                                                  {"uint16", RawLayout::SampleType::uint16},
+                                                                  {"int16", RawLayout::SampleType::int16},
+                                                                  {"float32", RawLayout::SampleType::float32}};
+/// Whether the most significant byte comes first.
+const std::vector<NamedValue<bool>> byte_orders{{"little", false}, {"big", true}};
+const std::vector<NamedValue<Packing>> packings{{"rg16", Packing::rg16}, {"rgb24", Packing::rgb24}};
+
+template <typename Value>
+const char* name_of(Value value, const std::vector<NamedValue<Value>>& choices) {
+    return std::ranges::find(choices, value, &NamedValue<Value>::value)->name;
+}
+
 std::string base_name(const std::string& path) {
     return std::filesystem::path(path).filename().string();
 }
@@ -33,19 +52,60 @@ std::array<double, 2> read_height_range(const JsonView& view) {
     return range;
 }
 
-/// What belongs to an image file only.
-void read_mapping(const JsonView& view, HeightMapSource& source) {
-    if (view.has("channel")) source.channel = static_cast<int>(view.at("channel").integer(0, largest_channel));
-    if (view.has("invert")) source.invert = view.at("invert").boolean();
-    if (view.has("normalize")) source.normalize = view.at("normalize").boolean();
-    if (view.has("height_range")) source.height_range = read_height_range(view.at("height_range"));
-    if (source.normalize && source.height_range) view.fail_here("give either normalize or height_range, not both");
-}
-
 void refuse(const JsonView& view, const std::vector<std::string>& keys, std::string_view why) {
     for (const std::string& key : keys) {
         if (view.has(key)) view.at(key).fail_here(why);
     }
+}
+
+/// What belongs to files only, beside "size", which procedural maps have too.
+const std::vector<std::string> file_keys{"part",   "channel",   "packing",      "sample_type", "byte_order",
+                                         "invert", "normalize", "height_range", "nodata",      "fill"};
+
+/// A name, or a number from 0.
+std::string read_name_or_number(const JsonView& view) {
+    if (view.json().is_number()) return std::to_string(view.integer(0, largest_channel));
+    if (!view.json().is_string() || view.string().empty()) view.fail_expected("a name, or a number from 0");
+    return view.string();
+}
+
+template <typename Value>
+Value read_choice(const JsonView& view, const std::vector<NamedValue<Value>>& choices) {
+    std::vector<std::string> names;
+    for (const NamedValue<Value>& choice : choices) {
+        if (view.json() == choice.name) return choice.value;
+        names.push_back(choice.name);
+    }
+    view.fail_expected("one of " + join(names));
+}
+
+RawLayout read_raw_layout(const JsonView& view) {
+    RawLayout layout;
+    layout.size = read_resolution(view.at("size"));
+    if (view.has("sample_type")) layout.sample_type = read_choice(view.at("sample_type"), sample_types);
+    if (view.has("byte_order")) layout.big_endian = read_choice(view.at("byte_order"), byte_orders);
+    refuse(view, {"part", "channel", "packing"}, "it applies to images, and \"size\" says that the file has no header");
+    return layout;
+}
+
+void read_file_value(const JsonView& view, HeightMapSource& source) {
+    if (view.has("size")) {
+        source.raw = read_raw_layout(view);
+    } else {
+        refuse(view, {"sample_type", "byte_order"}, "it applies to files without a header: give their \"size\", too");
+    }
+    if (view.has("part")) source.part = read_name_or_number(view.at("part"));
+    if (view.has("channel")) source.channel = read_name_or_number(view.at("channel"));
+    if (view.has("packing")) {
+        source.packing = read_choice(view.at("packing"), packings);
+        refuse(view, {"channel"}, "packing says which channels are read");
+    }
+    if (view.has("invert")) source.invert = view.at("invert").boolean();
+    if (view.has("normalize")) source.normalize = view.at("normalize").boolean();
+    if (view.has("height_range")) source.height_range = read_height_range(view.at("height_range"));
+    if (source.normalize && source.height_range) view.fail_here("give either normalize or height_range, not both");
+    if (view.has("nodata")) source.nodata = view.at("nodata").number();
+    if (view.has("fill")) source.fill = view.at("fill").number();
 }
 
 HeightMapValue read_height_map_object(const JsonView& view) {
@@ -63,14 +123,14 @@ HeightMapValue read_height_map_object(const JsonView& view) {
             view.at("name").fail_here(fmt::format("no procedural height map '{}'{}; known are {}", value.source.name,
                                                   did_you_mean(value.source.name, known), join(known)));
         }
-        refuse(view, {"channel", "invert", "normalize", "height_range"}, "it applies to image files only");
+        refuse(view, file_keys, "it applies to files only");
         value.has_own_size = view.has("size");
         if (value.has_own_size) value.source.size = read_resolution(view.at("size"));
         if (view.has("seed")) value.source.seed = static_cast<std::uint64_t>(view.at("seed").integer(0));
     } else {
         value.source.name = view.at("file").string();
-        refuse(view, {"size", "seed"}, "it applies to procedural height maps only");
-        read_mapping(view, value.source);
+        refuse(view, {"seed"}, "it applies to procedural height maps only");
+        read_file_value(view, value.source);
     }
     if (view.has("albedo")) value.source.albedo = view.at("albedo").string();
     return value;
@@ -99,8 +159,11 @@ std::string resolve(const JsonView& view, const std::vector<std::filesystem::pat
 }  // namespace
 
 const std::vector<std::string>& height_map_keys() {
-    static const std::vector<std::string> keys{"name",         "file",   "channel", "invert", "normalize",
-                                               "height_range", "albedo", "size",    "seed"};
+    static const std::vector<std::string> keys = [] {
+        std::vector<std::string> all{"name", "file", "albedo", "size", "seed"};
+        all.insert(all.end(), file_keys.begin(), file_keys.end());
+        return all;
+    }();
     return keys;
 }
 
@@ -135,12 +198,24 @@ std::string height_map_label(const HeightMapSource& source) {
     const HeightMapSource plain;
     std::string label = base_name(source.name);
     if (source.seed != plain.seed) label += fmt::format("+seed={}", source.seed);
-    if (source.channel != plain.channel) label += fmt::format("+channel={}", source.channel);
+    if (source.raw) {
+        const RawLayout layout;
+        label += "+size=" + to_string(source.raw->size);
+        if (source.raw->sample_type != layout.sample_type)
+            label += fmt::format("+sample_type={}", name_of(source.raw->sample_type, sample_types));
+        if (source.raw->big_endian) label += "+byte_order=big";
+    }
+    if (!source.part.empty()) label += "+part=" + source.part;
+    // The first is what a file without a choice has, and ids of version 0.1.0 leave it out.
+    if (!source.channel.empty() && source.channel != "0") label += "+channel=" + source.channel;
+    if (source.packing != plain.packing) label += fmt::format("+packing={}", name_of(source.packing, packings));
     if (source.invert) label += "+invert";
     if (source.normalize) label += "+normalize";
     if (source.height_range) {
         label += fmt::format("+height_range={}:{}", (*source.height_range)[0], (*source.height_range)[1]);
     }
+    if (source.nodata) label += fmt::format("+nodata={}", *source.nodata);
+    if (source.fill) label += fmt::format("+fill={}", *source.fill);
     if (!source.albedo.empty()) label += "+albedo=" + base_name(source.albedo);
     return label;
 }

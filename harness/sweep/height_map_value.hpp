@@ -13,7 +13,7 @@ namespace reliefbench {
 /// how to read it.
 struct HeightMapValue {
     HeightMapSource source;
-    /// The object gives a size of its own, which the axis heightmap_size leaves alone.
+    /// The object gives a size of its own to a procedural map, which the axis heightmap_size leaves alone.
     bool has_own_size = false;
 };
 

@@ -3,12 +3,17 @@
 #include "core/error.hpp"
 #include "image_writer.hpp"
 #include "scene/colour.hpp"
+#include "scene/image_file.hpp"
 #include "support/error_message.hpp"
 #include "support/temporary_folder.hpp"
+#include "tiff_writer.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 namespace reliefbench {
 namespace {
@@ -59,6 +64,38 @@ TEST_F(AlbedoFile, ATransparentOrGreyImageIsAColourToo) {
     const auto grey = load_albedo(with_albedo(folder_ / "grey.png"), small_map()).texels.at(0, 0);
     for (int channel = 0; channel < 3; ++channel)
         EXPECT_NEAR(grey[channel], srgb_decode(0.2), half_a_level);
+}
+
+TEST_F(AlbedoFile, StorageChangesNoColour) {
+    constexpr int white_is_zero = 0;
+    write_handmade_tiff(folder_ / "white.tif", {.width = 1, .values = {13107}, .photometric = white_is_zero});
+    write_handmade_tiff(folder_ / "four.tif", {.width = 1, .values = {3}, .bits = 4});
+    const auto red = [&](const char* name) {
+        return load_albedo(with_albedo(folder_ / name), small_map()).texels.at(0, 0)[0];
+    };
+    EXPECT_NEAR(red("white.tif"), srgb_decode(0.8), half_a_level);
+    EXPECT_NEAR(red("four.tif"), srgb_decode(0.2), half_a_level);
+}
+
+TEST_F(AlbedoFile, OfLayersTheOnlyColourPictureIsTaken) {
+    const auto fixtures = std::filesystem::path(RELIEFBENCH_SOURCE_DIR) / "tests/fixtures/heights";
+    const RasterFile layers = read_raster_file(fixtures / "layers.exr");
+    ASSERT_EQ(layers.channel_names, (std::vector<std::string>{"albedo.R", "albedo.G", "albedo.B", "height.Y"}));
+    const Albedo albedo = load_albedo(with_albedo(fixtures / "layers.exr"), small_map());
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        EXPECT_NEAR(albedo.texels.at(3, 4)[channel], srgb_decode(layers.values[3 * 4 + channel]), half_a_level);
+    }
+    EXPECT_THAT(error_message([&] { load_albedo(with_albedo(fixtures / "parts.exr"), small_map()); }),
+                HasSubstr("2 parts (0 'beauty', 1 'height')"));
+    RasterFile two;
+    two.size = {1, 1};
+    two.channel_names = {"a.R", "a.G", "a.B", "b.R", "b.G", "b.B"};
+    two.values.assign(6, 0.5F);
+    write_raster_file(folder_ / "two.exr", two);
+    EXPECT_THAT(error_message([&] {
+                    albedo_size(with_albedo(folder_ / "two.exr"), {1, 1});
+                }),
+                HasSubstr("not one colour picture"));
 }
 
 TEST_F(AlbedoFile, AMissingFileIsNamed) {

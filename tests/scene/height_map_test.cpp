@@ -161,12 +161,16 @@ TEST_F(HeightMapFile, ChannelIsChosenAndAlphaIsANumberLikeAnother) {
     HeightMapSource source = source_of(folder_ / "rgba.png");
     const std::vector<std::vector<float>> expected{{0, 1}, {0.2f, 0.8f}, {0.4f, 0.6f}, {0, 0.2f}};
     const std::vector<std::string> names{"R", "G", "B", "A"};
-    for (source.channel = 0; source.channel < 4; ++source.channel) {
-        const HeightMap map = load_height_map(source, HeightFormat::r8);
-        EXPECT_THAT(map.heights.texels, testing::ElementsAreArray(expected[source.channel]));
-        EXPECT_EQ(map.mapping, "channel " + names[source.channel]);
+    for (std::size_t channel = 0; channel < 4; ++channel) {
+        for (const std::string& choice : {std::to_string(channel), names[channel]}) {
+            source.channel = choice;
+            const HeightMap map = load_height_map(source, HeightFormat::r8);
+            EXPECT_THAT(map.heights.texels, testing::ElementsAreArray(expected[channel]));
+            EXPECT_EQ(map.mapping, "channel " + names[channel]);
+        }
     }
-    for (source.channel = -1; source.channel < 6; source.channel += 5) {
+    for (const char* choice : {"-1", "4", "Y"}) {
+        source.channel = choice;
         EXPECT_THAT(error_message([&] { load_height_map(source, HeightFormat::r8); }),
                     AllOf(HasSubstr("rgba.png"), HasSubstr("no channel"), HasSubstr("R, G, B, A")));
     }

@@ -44,17 +44,20 @@ RasterFile ramp(Resolution size, std::vector<std::string> names) {
     return raster;
 }
 
-TEST_F(ImageFile, DividesIntegersByTheirMaximum) {
+TEST_F(ImageFile, KeepsIntegersAndTheirFullScale) {
     write_with_openimageio<std::uint8_t>(folder_ / "8.png", {2, 2}, 1, {0, 51, 204, 255});
     const RasterFile bytes = read_raster_file(folder_ / "8.png");
     EXPECT_EQ(bytes.bits, 8);
     EXPECT_EQ(bytes.size, (Resolution{2, 2}));
-    EXPECT_THAT(bytes.values, ElementsAre(0.0f, 0.2f, 0.8f, 1.0f));
+    EXPECT_THAT(bytes.values, ElementsAre(0, 51, 204, 255));
+    EXPECT_EQ(bytes.full_scale, 255);
+    EXPECT_EQ(bytes.fraction(1), 0.2);
 
     write_with_openimageio<std::uint16_t>(folder_ / "16.png", {2, 1}, 1, {13107, 65535});
     const RasterFile words = read_raster_file(folder_ / "16.png");
     EXPECT_EQ(words.bits, 16);
-    EXPECT_THAT(words.values, ElementsAre(0.2f, 1.0f));
+    EXPECT_THAT(words.values, ElementsAre(13107, 65535));
+    EXPECT_EQ(words.full_scale, 65535);
 }
 
 TEST_F(ImageFile, KeepsFloatsAsTheyAre) {
@@ -68,7 +71,7 @@ TEST_F(ImageFile, DoesNotMultiplyColourByAlpha) {
     write_with_openimageio<std::uint8_t>(folder_ / "rgba.png", {1, 2}, 4, {255, 51, 0, 0, 204, 255, 51, 51});
     const RasterFile raster = read_raster_file(folder_ / "rgba.png");
     EXPECT_THAT(raster.channel_names, ElementsAre("R", "G", "B", "A"));
-    EXPECT_THAT(raster.values, ElementsAre(1.0f, 0.2f, 0.0f, 0.0f, 0.8f, 1.0f, 0.2f, 0.2f));
+    EXPECT_THAT(raster.values, ElementsAre(255, 51, 0, 0, 204, 255, 51, 51));
 }
 
 TEST_F(ImageFile, ExrKeepsNamedChannels) {
@@ -94,7 +97,7 @@ TEST_F(ImageFile, PngClampsAndRoundsToEightBits) {
     write_raster_file(folder_ / "picture.png", raster);
     const RasterFile read = read_raster_file(folder_ / "picture.png");
     EXPECT_EQ(read.bits, 8);
-    EXPECT_THAT(read.values, ElementsAre(0, 0, 128 / 255.0f, 1, 1, 51 / 255.0f, 0, 1 / 255.0f, 1, 0, 0, 0));
+    EXPECT_THAT(read.values, ElementsAre(0, 0, 128, 255, 255, 51, 0, 1, 255, 0, 0, 0));
 }
 
 TEST_F(ImageFile, LeavesNothingBesideWhatItWrote) {
@@ -150,6 +153,11 @@ TEST_F(ImageFile, FormatsAreToldByContentAndOthersReachNoDecoder) {
         EXPECT_THAT(error_message([&] { read_raster_file(folder_ / name); }),
                     AllOf(HasSubstr(name), HasSubstr("it is not a PNG, JPEG, TIFF, OpenEXR, PFM,")));
     }
+    const auto instead = [&](const char* name) { return error_message([&] { read_raster_file(folder_ / name); }); };
+    EXPECT_THAT(instead("a.bmp"), HasSubstr("a BMP, which is not read: save it as PNG"));
+    EXPECT_THAT(instead("a.webp"), HasSubstr("a WebP, which is not read: save it as PNG"));
+    EXPECT_THAT(instead("a.hdr"), HasSubstr("a Radiance HDR, which is not read: save it as OpenEXR or PFM"));
+    EXPECT_THAT(instead("a.tga"), HasSubstr("TGA is not read: save it as PNG"));
 }
 
 TEST_F(ImageFile, HeadersAreReadAlone) {

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "image_writer.hpp"
+#include "scene/image_file.hpp"
 #include "scene/netpbm.hpp"
 #include "support/error_message.hpp"
 #include "support/temporary_folder.hpp"
@@ -65,6 +66,8 @@ void expect_same_as_full_build(const std::filesystem::path& path) {
     EXPECT_EQ(read.size, expected.size) << path;
     EXPECT_EQ(read.bits, expected.bits) << path;
     EXPECT_EQ(read.channel_names, expected.channel_names) << path;
+    EXPECT_EQ(read.notes, expected.notes) << path;
+    EXPECT_EQ(read.full_scale, expected.full_scale) << path;
     EXPECT_EQ(read.values, expected.values) << path;
 }
 
@@ -89,20 +92,23 @@ TEST_F(PlainImageFile, FloatMapsOfThreeChannelsAreInterleaved) {
     EXPECT_EQ(read_plain_image(path).values, read_with_openimageio(path));
 }
 
-TEST_F(PlainImageFile, GreyAndColourMapsAreDividedByTheirLargestValue) {
+TEST_F(PlainImageFile, GreyAndColourMapsHaveTheirLargestValueAsFullScale) {
     // The comment, the tabs, and pixels that look like white space.
     const auto bytes = write("8.pgm", std::string("P5 # a comment\n2\t2 255\n\x0a\x20\x00\xff", 27));
-    EXPECT_THAT(read_plain_image(bytes).values, ElementsAre(10 / 255.0f, 32 / 255.0f, 0, 1));
+    EXPECT_THAT(read_plain_image(bytes).values, ElementsAre(10, 32, 0, 255));
     EXPECT_EQ(read_plain_image(bytes).bits, 8);
     const auto words = write("16.pgm", std::string("P5\n2 1\n65535\n\x33\x33\xff\xff", 17));
-    EXPECT_THAT(read_plain_image(words).values, ElementsAre(0.2f, 1.0f));
+    EXPECT_THAT(read_plain_image(words).values, ElementsAre(13107, 65535));
     EXPECT_EQ(read_plain_image(words).bits, 16);
     const auto tenths = write("tenths.pgm", std::string("P5\n3 1\n10\n\x00\x03\x0a", 13));
-    EXPECT_THAT(read_plain_image(tenths).values, ElementsAre(0, 0.3f, 1));
+    EXPECT_THAT(read_plain_image(tenths).values, ElementsAre(0, 3, 10));
     const auto colour = write("8.ppm", std::string("P6\n1 1\n255\n\xff\x33\x00", 14));
-    EXPECT_THAT(read_plain_image(colour).values, ElementsAre(1, 0.2f, 0));
+    EXPECT_THAT(read_plain_image(colour).values, ElementsAre(255, 51, 0));
+    EXPECT_EQ(read_plain_image(tenths).full_scale, 10);
     // OpenImageIO multiplies by a rounded reciprocal.
-    EXPECT_THAT(read_plain_image(colour).values, testing::Pointwise(testing::FloatEq(), read_with_openimageio(colour)));
+    const std::vector<float> fractions = read_with_openimageio(colour);
+    for (std::size_t index = 0; index < fractions.size(); ++index)
+        EXPECT_FLOAT_EQ(static_cast<float>(read_plain_image(colour).fraction(index)), fractions[index]);
     // A full build reads these files in the same way, since OpenImageIO 2.4 makes 65534 of 65535.
     for (const std::filesystem::path& path : {bytes, words, tenths, colour})
         expect_same_as_full_build(path);
@@ -127,7 +133,7 @@ TEST_F(PlainImageFile, WritesPngThatOthersRead) {
     raster.values = {-1, 0, 0.5f, 1, 2, 0.2f, 0.2f / 255, 0.6f / 255, 1, 0, 0, std::numeric_limits<float>::quiet_NaN()};
     write_plain_image(folder_ / "plain.png", raster);
     EXPECT_THAT(read_raster_file(folder_ / "plain.png").values,
-                ElementsAre(0, 0, 128 / 255.0f, 1, 1, 51 / 255.0f, 0, 1 / 255.0f, 1, 0, 0, 0));
+                ElementsAre(0, 0, 128, 255, 255, 51, 0, 1, 255, 0, 0, 0));
     const std::filesystem::directory_iterator files(folder_.path());
     EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "something was left beside it";
 }
@@ -148,7 +154,7 @@ TEST_F(PlainImageFile, NamesTheFormatsItTakes) {
     EXPECT_THAT(refusal("ascii.pgm", "P2\n1 1\n255\n3\n"), HasSubstr("binary PGM"));
     EXPECT_THAT(refusal("empty.pfm", ""), HasSubstr("empty.pfm"));
     EXPECT_THAT(error_message([&] { read_plain_image(folder_ / "missing.png"); }), HasSubstr("missing.png"));
-    EXPECT_THAT(error_message([&] { read_plain_image(folder_.path()); }), HasSubstr("directory"));
+    EXPECT_THAT(error_message([&] { read_plain_image(folder_.path()); }), HasSubstr("not a file"));
 
     RasterFile raster;
     raster.size = {1, 1};
@@ -160,6 +166,52 @@ TEST_F(PlainImageFile, NamesTheFormatsItTakes) {
     EXPECT_THAT(message("layers.exr"), AllOf(HasSubstr("layers.exr"), HasSubstr(".png and .pfm")));
     EXPECT_THAT(message("layers.png"), HasSubstr("not 5"));
     EXPECT_THAT(message("layers.pfm"), HasSubstr("not 5"));
+}
+
+TEST_F(PlainImageFile, RefusesExcessBytes) {
+    const auto fixture = [](const std::string& name) {
+        return std::filesystem::path(RELIEFBENCH_SOURCE_DIR) / "tests/fixtures/heights" / name;
+    };
+    const auto message = [&](const std::string& name) {
+        return error_message([&] { read_plain_image(fixture(name)); });
+    };
+    EXPECT_THAT(message("crlf.pgm"), HasSubstr("it has 1 byte more than its header says"));
+    EXPECT_THAT(message("comment_last.pgm"), HasSubstr("it has 8 bytes more than its header says"));
+    EXPECT_THAT(refusal("two.pgm", "P5 1 1 255\nxP5 1 1 255\ny"), HasSubstr("12 bytes more"));
+    EXPECT_THAT(refusal("long.pgm", "P5 1 1 65535\nxyz"), HasSubstr("1 byte more"));
+    EXPECT_THAT(refusal("long.ppm", "P6 1 1 255\nrgb\n"), HasSubstr("1 byte more"));
+    EXPECT_THAT(refusal("long.pfm", "Pf\n1 1\n-1\n" + stored_floats({1}, ByteOrder::little) + "\n"),
+                HasSubstr("1 byte more"));
+}
+
+TEST_F(PlainImageFile, ACommentMayStandBetweenHeaderAndPixels) {
+    const auto two_pixels = ElementsAre(32, 10);
+    // https://netpbm.sourceforge.net/doc/pgm.html: the line's end belongs to the comment. netpbm's programs: it is the
+    // character between header and pixels.
+    EXPECT_THAT(read_plain_image(write("page.pgm", "P5\n2 1\n255# depth\n\n \n")).values, two_pixels);
+    EXPECT_THAT(read_plain_image(write("programs.pgm", "P5\n2 1\n255# depth\n \n")).values, two_pixels);
+    EXPECT_THAT(read_plain_image(write("within.pgm", "P5 2# width\r1# height\n#\n255\n \n")).values, two_pixels);
+    EXPECT_THAT(refusal("short.pgm", "P5\n2 1\n255# depth\n "), HasSubstr("fewer pixels"));
+    EXPECT_THAT(refusal("long.pgm", "P5\n2 1\n255# depth\n   \n"), HasSubstr("more than its header"));
+}
+
+TEST_F(PlainImageFile, PngOfFewBitsPalettesAndTransparencyGivesWhatAFullBuildGives) {
+    const std::filesystem::path pngs = std::filesystem::path(RELIEFBENCH_SOURCE_DIR) / "tests/fixtures/heights/png";
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(pngs)) {
+        expect_same_as_full_build(entry.path());
+        ++count;
+    }
+    EXPECT_EQ(count, 12);
+    const RasterFile two_bits = read_plain_image(pngs / "grey2.png");
+    EXPECT_EQ(two_bits.full_scale, 3);
+    EXPECT_THAT(two_bits.values, ElementsAre(0, 1, 2, 3, 3, 2, 1, 0, 1, 1, 2, 2));
+    const RasterFile turned = read_plain_image(pngs / "orientation6.png");
+    EXPECT_EQ(turned.size, (Resolution{3, 4}));
+    EXPECT_THAT(turned.notes, ElementsAre("orientation 6"));
+    EXPECT_EQ(read_plain_header(pngs / "orientation6.png").size, turned.size);
+    EXPECT_THAT(error_message([&] { read_plain_image(pngs / "grey2.png", {.part = "1", .channels = {}}); }),
+                HasSubstr("no part '1'"));
 }
 
 TEST_F(PlainImageFile, RefusesDamagedFiles) {

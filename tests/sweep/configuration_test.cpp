@@ -143,13 +143,26 @@ TEST(Configuration, WhatIsWrongIsNamedWithItsPlace) {
         {with(R"("axes": {"heightmap": {"file": "none.png"}})"), "$.axes.heightmap.file: no file 'none.png' in"},
         {with(R"("axes": {"heightmap": {"name": "rock", "albedo": "none.png"}})"), "$.axes.heightmap.albedo: no file"},
         {with(R"("axes": {"heightmap": {"name": "rock", "invert": true}})"),
-         "$.axes.heightmap.invert: it applies to image files only"},
+         "$.axes.heightmap.invert: it applies to files only"},
         {with(R"("axes": {"heightmap": {"file": "a.png", "seed": 2}})"),
          "$.axes.heightmap.seed: it applies to procedural height maps only"},
         {with(R"("axes": {"heightmap": {"file": "a.png", "chanel": 2}})"), "(did you mean 'channel'?)"},
         {with(R"("axes": {"heightmap": {"seed": 2}})"), "$.axes.heightmap: give either \"name\""},
         {with(R"("axes": {"heightmap": {"file": "a.png", "normalize": true, "height_range": [0, 2]}})"),
          "give either normalize or height_range"},
+        {with(R"("axes": {"heightmap": {"name": "rock", "fill": 0}})"),
+         "$.axes.heightmap.fill: it applies to files only"},
+        {with(R"("axes": {"heightmap": {"file": "a.png", "channel": ""}})"),
+         "$.axes.heightmap.channel: expected a name, or a number from 0"},
+        {with(R"("axes": {"heightmap": {"file": "a.png", "part": -1}})"), "$.axes.heightmap.part: expected an integer"},
+        {with(R"("axes": {"heightmap": {"file": "a.png", "byte_order": "big"}})"),
+         "$.axes.heightmap.byte_order: it applies to files without a header"},
+        {with(R"("axes": {"heightmap": {"file": "a.r16", "size": 4, "sample_type": "word"}})"),
+         "$.axes.heightmap.sample_type: expected one of uint8, uint16, int16, float32"},
+        {with(R"("axes": {"heightmap": {"file": "a.r16", "size": 4, "channel": 1}})"),
+         "$.axes.heightmap.channel: it applies to images"},
+        {with(R"("axes": {"heightmap": {"file": "a.png", "packing": "rg16", "channel": 1}})"),
+         "$.axes.heightmap.channel: packing says which channels are read"},
         {with(R"("axes": {"heightmap": {"file": "a.png", "height_range": [1, 0]}})"),
          "$.axes.heightmap.height_range: expected two numbers, the first below the second"},
         {with_axis(R"("view_angel": 3)"),
@@ -359,12 +372,32 @@ TEST_F(ConfigurationFiles, AreCalledByTheirBaseNameAndHowTheyAreRead) {
                             "plain | heightmap=there.png+height_range=0.1:2+albedo=skin.jpg"));
     const std::vector<Cell> cells = expand(configuration, fake_techniques());
     EXPECT_TRUE(cells[1].view.height_map.invert);
-    EXPECT_EQ(cells[1].view.height_map.channel, 2);
+    EXPECT_EQ(cells[1].view.height_map.channel, "2");
     EXPECT_EQ(cells[3].view.height_map.albedo, (root_ / "here/skin.jpg").string());
     EXPECT_EQ(axes_to_json(cells[0].view)["heightmap_size"], Json());
     // Asked for by base name, all readings of the file answer.
     EXPECT_EQ(filter_cells(cells, {"heightmap=there.png"}, fake_techniques()).size(), 4U);
     EXPECT_EQ(filter_cells(cells, {"heightmap=there.png+normalize"}, fake_techniques()).size(), 1U);
+    EXPECT_EQ(read(configuration.expanded["axes"]["heightmap"].dump()).expanded, configuration.expanded);
+}
+
+TEST_F(ConfigurationFiles, SayHowTheyAreRead) {
+    const Configuration configuration = read(R"([
+        {"file": "there.png", "part": "height", "channel": "Z"}, {"file": "there.png", "part": 1, "channel": 0},
+        {"file": "there.png", "packing": "rg16", "nodata": -32768, "fill": 0.5},
+        {"file": "there.png", "size": "8x4", "sample_type": "int16", "byte_order": "big"},
+        {"file": "there.png", "size": 4}])");
+    EXPECT_THAT(ids(configuration),
+                ElementsAre("plain | heightmap=there.png+part=height+channel=Z", "plain | heightmap=there.png+part=1",
+                            "plain | heightmap=there.png+packing=rg16+nodata=-32768+fill=0.5",
+                            "plain | heightmap=there.png+size=8x4+sample_type=int16+byte_order=big",
+                            "plain | heightmap=there.png+size=4x4"));
+    const std::vector<Cell> cells = expand(configuration, fake_techniques());
+    EXPECT_EQ(cells[2].view.height_map.packing, Packing::rg16);
+    ASSERT_TRUE(cells[3].view.height_map.raw);
+    EXPECT_EQ(*cells[3].view.height_map.raw,
+              (RawLayout{.size = {8, 4}, .sample_type = RawLayout::SampleType::int16, .big_endian = true}));
+    EXPECT_EQ(cells[3].view.height_map.size, HeightMapSource{}.size);
     EXPECT_EQ(read(configuration.expanded["axes"]["heightmap"].dump()).expanded, configuration.expanded);
 }
 

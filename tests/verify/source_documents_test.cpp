@@ -193,7 +193,7 @@ TEST_F(SourceDocuments, LunaHeightMayLieInTheNormalMapsAlpha) {
                       }));
     HeightMapSource source;
     source.name = (folder / "normals.png").string();
-    source.channel = 3;
+    source.channel = "A";
     const HeightMap alpha = load_height_map(source, HeightFormat::r8);
     EXPECT_EQ(alpha.heights.texels, make_height_map(heights.heights, HeightFormat::r8, "").heights.texels);
 }

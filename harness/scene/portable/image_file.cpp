@@ -8,12 +8,12 @@ std::string readable_images() {
     return "a PNG, PFM, or binary PGM or PPM image";
 }
 
-RasterFile read_raster_file(const std::filesystem::path& path) {
-    return read_plain_image(path);
+RasterFile read_raster_file(const std::filesystem::path& path, const ImageChoice& choice) {
+    return read_plain_image(path, choice);
 }
 
-RasterFile read_raster_header(const std::filesystem::path& path) {
-    return read_plain_header(path);
+RasterFile read_raster_header(const std::filesystem::path& path, const std::string& part) {
+    return read_plain_header(path, part);
 }
 
 void write_raster_file(const std::filesystem::path& path, const RasterFile& raster) {
