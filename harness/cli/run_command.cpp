@@ -8,6 +8,7 @@
 #include "cli/supervisor.hpp"
 #include "core/error.hpp"
 #include "core/suggest.hpp"
+#include "measure/shared_inputs.hpp"
 #include "report/run_format.hpp"
 #include "store/run_folder.hpp"
 
@@ -84,12 +85,20 @@ RunJob make_job(const RunOptions& options) {
     return job;
 }
 
+/// Refuses what a run would refuse before it asks for the device.
+ExitCode plan(const RunOptions& options) {
+    const RunJob job = make_job(options);
+    if (job.resume.empty() && !options.output.empty()) refuse_second_run(options.output);
+    check_input_files(job.sources.cells);
+    return print_plan(job.sources.cells);
+}
+
 ExitCode run(const RunOptions& options) {
     const double pass_timeout_s = parse_duration(options.pass_timeout, "--pass-timeout");
-    if (options.dry_run) return print_plan(make_job(options).sources.cells);
+    if (!options.resume.empty() && options.output.empty()) fail("--resume needs -o, the folder of the run");
+    if (options.dry_run) return plan(options);
     const std::unique_ptr<WorkerStatus> status = take_worker_status();
     if (!status) return supervise({options.command_line, pass_timeout_s, options.pass_timeout});
-    if (!options.resume.empty() && options.output.empty()) fail("--resume needs -o, the folder of the run");
     RunJob job = make_job(options);
     job.takes_over = !status->folder().empty();
     job.folder = job.takes_over ? status->folder() : output_folder(options, job.sources.configuration);
@@ -142,7 +151,11 @@ void add_run_command(CLI::App& app, ChosenCommand& chosen, const std::vector<std
             "Measure one of N parts only, on this machine: I/N, I from 1; `merge` puts them together; default: "
             "SLURM_ARRAY_TASK_ID of an array, GTEST_SHARD_INDEX, else all")
         ->type_name("I/N");
-    command->add_flag("--dry-run", options->dry_run, "Print blocks and cells; measure and write nothing");
+    command->add_flag(
+        "--dry-run", options->dry_run,
+        "Print blocks and cells; measure and write nothing. Height map and albedo files are loaded, so that what "
+        "a run would refuse is refused here; the device is not asked: what it cannot hold, and "
+        "preparations beyond their limit, are skipped when the run comes to them");
     options->library.add_to(*command);
     options->device.add_to(*command);
     options->sharing.add_to(*command);

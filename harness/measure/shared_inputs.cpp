@@ -5,6 +5,7 @@
 #include "core/log.hpp"
 #include "core/memory.hpp"
 #include "measure/memory_need.hpp"
+#include "sweep/height_map_value.hpp"
 #include "sweep/view_axes.hpp"
 
 #include <algorithm>
@@ -18,13 +19,14 @@ bool same_map(const ViewKey& key, const HeightMapSource& source, HeightFormat fo
     return key.height_map == source && key.height_format == format;
 }
 
-/// Empty where there is the memory.
-std::string too_large_to_inspect(const HeightMapSource& source, const InputSizes& sizes, HeightFormat format) {
-    const std::uint64_t needed = loading_need(sizes, format).host;
+/// A warning says so.
+bool is_too_large_to_inspect(const ViewKey& key, const InputSizes& sizes) {
+    const std::uint64_t needed = loading_need(sizes, key.height_format).host;
     const std::uint64_t available = available_memory();
-    if (needed <= available) return {};
-    return fmt::format("height map '{}' of {}x{} takes about {} of memory to load, and {} is available", source.name,
-                       sizes.height_map.width, sizes.height_map.height, memory_text(needed), memory_text(available));
+    if (needed <= available) return false;
+    log_warning("height map '{}' of {}x{} takes about {} of memory to load, and {} is available", key.height_map.name,
+                sizes.height_map.width, sizes.height_map.height, memory_text(needed), memory_text(available));
+    return true;
 }
 
 HeightMapRecord inspect(const ViewKey& key) {
@@ -32,8 +34,7 @@ HeightMapRecord inspect(const ViewKey& key) {
     record.source = key.height_map;
     record.format = key.height_format;
     const InputSizes sizes = input_sizes(key.height_map);
-    if (const std::string reason = too_large_to_inspect(key.height_map, sizes, key.height_format); !reason.empty()) {
-        log_warning("{}", reason);
+    if (is_too_large_to_inspect(key, sizes)) {
         record.name = std::filesystem::path(key.height_map.name).filename().string();
         record.size = sizes.height_map;
         return record;
@@ -49,6 +50,17 @@ HeightMapRecord inspect(const ViewKey& key) {
     return record;
 }
 
+/// A view of each height map in each format.
+std::vector<const ViewKey*> distinct_maps(const std::vector<Cell>& cells) {
+    std::vector<const ViewKey*> maps;
+    for (const Cell& cell : cells) {
+        const bool known = std::ranges::any_of(
+            maps, [&](const ViewKey* map) { return same_map(cell.view, map->height_map, map->height_format); });
+        if (!known) maps.push_back(&cell.view);
+    }
+    return maps;
+}
+
 /// What the truth of a view does not depend on, at its default: views that differ in it alone share one truth. It has
 /// hits, and how much of each light reaches them.
 ViewKey truth_key(const ViewKey& view) {
@@ -61,15 +73,19 @@ ViewKey truth_key(const ViewKey& view) {
 
 std::vector<HeightMapRecord> inspect_height_maps(const std::vector<Cell>& cells) {
     std::vector<HeightMapRecord> records;
-    for (const Cell& cell : cells) {
-        const bool known = std::any_of(records.begin(), records.end(), [&](const HeightMapRecord& record) {
-            return same_map(cell.view, record.source, record.format);
-        });
-        if (!known) {
-            records.push_back(inspect(cell.view));
-        }
-    }
+    for (const ViewKey* map : distinct_maps(cells))
+        records.push_back(inspect(*map));
     return records;
+}
+
+void check_input_files(const std::vector<Cell>& cells) {
+    for (const ViewKey* key : distinct_maps(cells)) {
+        const HeightMapSource& source = key->height_map;
+        if (is_too_large_to_inspect(*key, input_sizes(source))) continue;
+        HeightMap map;
+        if (!is_procedural(source.name)) map = load_height_map(source, key->height_format);
+        if (!source.albedo.empty()) load_albedo(source, map);
+    }
 }
 
 LoadedMap::LoadedMap(const gpu::Device& device, const HeightMapSource& source, HeightFormat format)

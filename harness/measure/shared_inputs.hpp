@@ -28,6 +28,9 @@ struct HeightMapRecord {
 /// that the memory does not hold is a warning, and has no hashes: its cells are skipped.
 std::vector<HeightMapRecord> inspect_height_maps(const std::vector<Cell>& cells);
 
+/// The same Errors and warnings for what is read from files, without the records.
+void check_input_files(const std::vector<Cell>& cells);
+
 /// A height map loaded and on the device.
 struct LoadedMap {
     LoadedMap(const gpu::Device& device, const HeightMapSource& source, HeightFormat format);

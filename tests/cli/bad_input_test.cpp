@@ -22,6 +22,21 @@ protected:
         return write_configuration("tiny.json", json);
     }
 
+    /// So is a dry run, with the same words.
+    void expect_refused_by_both(const std::vector<std::string>& arguments,
+                                const std::vector<std::string>& words) const {
+        expect_refused(arguments, words);
+        std::vector<std::string> run{"run"};
+        run.insert(run.end(), arguments.begin(), arguments.end());
+        std::vector<std::string> dry = run;
+        run.insert(run.end(), {"-o", path("run")});
+        dry.emplace_back("--dry-run");
+        const Outcome planned = reliefbench(dry);
+        EXPECT_EQ(planned.code, 2);
+        EXPECT_TRUE(planned.out.empty()) << planned.out;
+        EXPECT_EQ(planned.err, reliefbench(run).err);
+    }
+
     /// One row of two float texels.
     std::string write_image(const std::string& name, float left, float right) const {
         RasterFile raster;
@@ -107,38 +122,59 @@ TEST_F(BadInput, AFilterThatNoCellPasses) {
 }
 
 TEST_F(BadInput, AMissingHeightMap) {
-    expect_refused({tiny(), "-a", "heightmap=" + path("missing.png")}, {"missing.png"});
+    expect_refused_by_both({tiny(), "-a", "heightmap=" + path("missing.png")}, {"missing.png"});
 }
 
 TEST_F(BadInput, AnUnknownHeightMap) {
-    expect_refused({tiny(), "-a", "heightmap=brick"}, {"brick"});
+    expect_refused_by_both({tiny(), "-a", "heightmap=brick"}, {"brick"});
 }
 
 TEST_F(BadInput, AFileThatIsNoImage) {
-    expect_refused({tiny(), "-a", "heightmap=" + write("text.png", "these are words")}, {"text.png"});
+    expect_refused_by_both({tiny(), "-a", "heightmap=" + write("text.png", "these are words")}, {"text.png"});
 }
 
 TEST_F(BadInput, AnImageWithoutTheChannel) {
     const std::string image = write_image("one_channel.exr", 0, 1);
-    expect_refused({tiny([&](Json& json) {
-                       json["axes"]["heightmap"] = {{"file", image}, {"channel", 3}};
-                   })},
-                   {"one_channel.exr", "channel"});
+    expect_refused_by_both({tiny([&](Json& json) {
+                               json["axes"]["heightmap"] = {{"file", image}, {"channel", 3}};
+                           })},
+                           {"one_channel.exr", "channel"});
 }
 
 TEST_F(BadInput, HeightsThatAreNoNumbers) {
     const std::string image = write_image("nan.exr", 0.5F, std::numeric_limits<float>::quiet_NaN());
-    expect_refused({tiny(), "-a", "heightmap=" + image}, {"nan.exr"});
+    expect_refused_by_both({tiny(), "-a", "heightmap=" + image}, {"nan.exr"});
 }
 
 TEST_F(BadInput, InfiniteHeights) {
     const std::string image = write_image("infinite.exr", 0.5F, std::numeric_limits<float>::infinity());
-    expect_refused({tiny(), "-a", "heightmap=" + image}, {"infinite.exr"});
+    expect_refused_by_both({tiny(), "-a", "heightmap=" + image}, {"infinite.exr"});
 }
 
 TEST_F(BadInput, HeightsThatNothingMapsIntoRange) {
     const std::string image = write_image("metres.exr", 0.5F, 20);
-    expect_refused({tiny(), "-a", "heightmap=" + image}, {"metres.exr", "normalize"});
+    expect_refused_by_both({tiny(), "-a", "heightmap=" + image}, {"metres.exr", "normalize"});
+}
+
+TEST_F(BadInput, AnAlbedoThatIsNoImage) {
+    const std::string words = write("words.png", "these are words");
+    const auto with_albedo = [&](Json value) {
+        return tiny([&](Json& json) {
+            value["albedo"] = words;
+            json["axes"]["heightmap"] = value;
+        });
+    };
+    expect_refused_by_both({with_albedo({{"name", "rock"}})}, {"words.png"});
+    expect_refused_by_both({with_albedo({{"file", write_image("heights.exr", 0, 1)}})}, {"words.png"});
+}
+
+TEST_F(BadInput, AFileWithoutAHeaderOfAnotherSize) {
+    const std::string file = write("map.r16", "12345678");
+    expect_refused_by_both({tiny([&](Json& json) {
+                               json["axes"]["heightmap"] = {{"file", file}, {"size", "3x2"}};
+                           })},
+                           {"map.r16", "it has 8 bytes", "3x2", "take 12"});
+    expect_refused_by_both({tiny(), "-a", "heightmap=" + file}, {"map.r16", "size"});
 }
 
 TEST_F(BadInput, AnUnknownDevice) {
@@ -197,6 +233,9 @@ TEST_F(BadInput, AnOutputFolderThatHoldsARun) {
     EXPECT_EQ(again.code, 2) << again.err;
     EXPECT_THAT(again.err, AllOf(HasSubstr("reliefbench: "), HasSubstr(path("run"))));
     EXPECT_EQ(read_file(path("run/cells.jsonl")), cells) << "the earlier run was touched";
+    const Outcome planned = reliefbench({"run", tiny(), "-o", path("run"), "--dry-run"});
+    EXPECT_EQ(planned.code, 2);
+    EXPECT_EQ(planned.err, again.err);
 }
 
 TEST_F(BadInput, AConstantHeightMapIsAWarning) {
