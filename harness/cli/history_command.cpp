@@ -5,6 +5,7 @@
 #include "cli/terminal.hpp"
 #include "cli/threshold.hpp"
 #include "compare/history.hpp"
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/suggest.hpp"
@@ -56,8 +57,8 @@ ExitCode show_history(const HistoryCommandOptions& options) {
     keep_cells(runs, options.cells);
     warn_of_disorder(runs);
     if (runs.size() < fewest_runs) {
-        log_warning("{} runs are too few for change points: at least three stand before one and three after it",
-                    runs.size());
+        log_warning("{} {} too few for change points: at least three stand before one and three after it",
+                    counted(runs.size(), "run"), runs.size() == 1 ? "is" : "are");
     }
     print_results(format_history(make_history(runs, history_options), format, table_columns()));
     return ExitCode::done;

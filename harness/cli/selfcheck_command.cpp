@@ -10,6 +10,7 @@
 #include "compare/run_noise.hpp"
 #include "compare/run_side.hpp"
 #include "core/error.hpp"
+#include "core/counted.hpp"
 #include "core/file.hpp"
 #include "core/log.hpp"
 #include "core/process.hpp"

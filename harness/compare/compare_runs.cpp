@@ -6,6 +6,7 @@
 #include "compare/run_differences.hpp"
 #include "compare/run_noise.hpp"
 #include "compare/run_side.hpp"
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "store/device_share.hpp"
@@ -88,10 +89,11 @@ std::optional<std::string> notice_of_common_shift(const Comparison& comparison, 
     const std::vector<double>& moved = mostly_slower ? slower : faster;
     if (moved.size() < 2) return std::nullopt;
     return fmt::format(
-        "{} of {} cells of techniques whose folders are the same on both sides are {}, by {} in the median: shared "
+        "{} of {} of techniques whose sources are the same on both sides are {}, by {} in the median: shared "
         "shaders, the harness, the driver or the state of the machine moved them; `reliefbench ab` measures both sides "
         "live",
-        moved.size(), unchanged, mostly_slower ? "slower" : "faster", percent(std::abs(median(moved) - 1)));
+        moved.size(), counted(unchanged, "cell"), mostly_slower ? "slower" : "faster",
+        percent(std::abs(median(moved) - 1)));
 }
 
 /// Per run, the time of all preparations of the compared cells; empty unless every run has them all.

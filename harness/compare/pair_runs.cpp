@@ -1,6 +1,7 @@
 #include "compare/pair_runs.hpp"
 
 #include "compare/run_differences.hpp"
+#include "core/counted.hpp"
 
 #include <fmt/format.h>
 
@@ -108,8 +109,8 @@ std::vector<std::string> notices_on_stand_ins(const Comparison& comparison) {
     }
     std::vector<std::string> notices;
     for (const auto& [names, count] : cells) {
-        notices.push_back(fmt::format("of {} of {} cells one side has no {}, so {} decides in its place", count,
-                                      comparison.cells.size(), names.first, names.second));
+        notices.push_back(fmt::format("of {} of {} one side has no {}, so {} decides in its place", count,
+                                      counted(comparison.cells.size(), "cell"), names.first, names.second));
     }
     return notices;
 }
@@ -128,9 +129,9 @@ std::optional<std::string> notice_on_ties(const RunSide& base, const RunSide& ch
     }
     if (cells == 0) return std::nullopt;
     return fmt::format(
-        "of {} of {} cells the errors of one side count ties (error.ties), which runs of an older version did not "
+        "of {} of {} the errors of one side count ties (error.ties), which runs of an older version did not "
         "know: what is better or worse in them may be that and nothing else",
-        cells, comparison.cells.size());
+        cells, counted(comparison.cells.size(), "cell"));
 }
 
 Json side_record(std::span<const StoredRun> runs) {

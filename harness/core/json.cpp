@@ -1,5 +1,6 @@
 #include "core/json.hpp"
 
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/suggest.hpp"
@@ -75,13 +76,12 @@ constexpr std::size_t longest_value_shown = 60;
 /// looked for one after the other.
 constexpr int deepest_nesting = 64;
 constexpr std::size_t most_members = 10000;
-constexpr std::uint64_t largest_json_file = std::uint64_t{256} << 20;
 
 std::string shown(const Json& value) {
     std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
     if (text.size() <= longest_value_shown) return text;
-    if (value.is_object()) return fmt::format("an object with {} members", value.size());
-    if (value.is_array()) return fmt::format("an array of {} values", value.size());
+    if (value.is_object()) return fmt::format("an object with {}", counted(value.size(), "member"));
+    if (value.is_array()) return fmt::format("an array of {}", counted(value.size(), "value"));
     return text.substr(0, longest_value_shown) + "...";
 }
 

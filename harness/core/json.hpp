@@ -15,6 +15,9 @@ namespace reliefbench {
 /// Members keep the order of the file: parameters are listed, and cells expanded, in the order their author chose.
 using Json = nlohmann::ordered_json;
 
+/// A JSON file that is larger is not read.
+inline constexpr std::uint64_t largest_json_file = std::uint64_t{256} << 20;
+
 /// Parses JSON; a syntax error, a duplicate key, or nesting or an object that is absurdly large is an Error that names
 /// `file` and the position.
 Json parse_json(std::string_view text, const std::string& file);

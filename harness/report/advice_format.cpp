@@ -1,5 +1,6 @@
 #include "report/advice_format.hpp"
 
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/suggest.hpp"
 #include "report/figure_rows.hpp"

@@ -1,5 +1,6 @@
 #include "report/comparison_markdown.hpp"
 
+#include "core/counted.hpp"
 #include "report/comparison_words.hpp"
 #include "report/markdown.hpp"
 #include "report/text_layout.hpp"

@@ -1,5 +1,6 @@
 #include "report/comparison_table.hpp"
 
+#include "core/counted.hpp"
 #include "report/comparison_words.hpp"
 #include "report/figure_rows.hpp"
 #include "report/text_layout.hpp"

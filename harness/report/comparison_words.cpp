@@ -1,6 +1,7 @@
 #include "report/comparison_words.hpp"
 
 #include "compare/describe.hpp"
+#include "core/counted.hpp"
 #include "core/suggest.hpp"
 #include "report/figure_text.hpp"
 #include "report/merged_reason.hpp"

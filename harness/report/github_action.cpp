@@ -1,5 +1,6 @@
 #include "report/github_action.hpp"
 
+#include "core/counted.hpp"
 #include "report/text_layout.hpp"
 
 #include <fmt/format.h>
@@ -9,8 +10,8 @@ namespace reliefbench {
 namespace {
 
 std::string extra_of(const CellResult& cell, const PassTiming& draw) {
-    std::string extra = fmt::format("95 % interval of the median: {} to {} ms\n{} samples",
-                                    significant(draw.ci95_ms.low, 4), significant(draw.ci95_ms.high, 4), draw.n);
+    std::string extra = fmt::format("95 % interval of the median: {} to {} ms\n{}", significant(draw.ci95_ms.low, 4),
+                                    significant(draw.ci95_ms.high, 4), counted(draw.n, "sample"));
     if (cell.work) extra += fmt::format("\n{} taps per pixel", significant(cell.work->taps_mean));
     if (cell.error && cell.error->uv_texels) {
         extra += fmt::format("\nUV error p99: {} texels", significant(cell.error->uv_texels->p99));

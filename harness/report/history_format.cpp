@@ -1,6 +1,7 @@
 #include "report/history_format.hpp"
 
 #include "compare/describe.hpp"
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/suggest.hpp"
 #include "report/figure_rows.hpp"

@@ -1,5 +1,6 @@
 #include "report/quality_cost_markdown.hpp"
 
+#include "core/counted.hpp"
 #include "report/cautions.hpp"
 #include "report/markdown.hpp"
 #include "report/quality_cost.hpp"

@@ -1,5 +1,6 @@
 #include "report/table.hpp"
 
+#include "core/counted.hpp"
 #include "report/cautions.hpp"
 #include "report/quality_cost.hpp"
 #include "report/text_layout.hpp"

@@ -50,10 +50,6 @@ std::string indented(std::string_view text, std::size_t indent, std::size_t widt
     return lines;
 }
 
-std::string counted(std::size_t count, std::string_view noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::string significant(double value, int digits) {
     constexpr double smallest_plain = 1e-4;
     constexpr double largest_plain = 1e7;

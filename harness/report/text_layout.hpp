@@ -24,9 +24,6 @@ std::vector<std::string> wrap(std::string_view text, std::size_t width);
 /// Wrapped to `width` columns, each line indented and ended.
 std::string indented(std::string_view text, std::size_t indent, std::size_t width);
 
-/// "1 cell", "3 cells".
-std::string counted(std::size_t count, std::string_view noun);
-
 /// At least `digits` significant ones, without an exponent where it reads better: "0.00123", "12.3", "4567",
 /// "1.20e-05".
 std::string significant(double value, int digits = 3);

@@ -1,5 +1,6 @@
 #include "report/workflow_commands.hpp"
 
+#include "core/counted.hpp"
 #include "core/suggest.hpp"
 #include "report/comparison_words.hpp"
 #include "report/text_layout.hpp"

@@ -1,5 +1,6 @@
 #include "scene/raster_limits.hpp"
 
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/memory.hpp"
 
@@ -21,8 +22,8 @@ void check_raster_size(const std::filesystem::path& path, int width, int height,
              channels);
     }
     if (double(width) * double(height) * double(channels) > largest_value_count) {
-        fail("image '{}' claims {}x{} pixels of {} channels, more than can be read: scale it down", path.string(),
-             width, height, channels);
+        fail("image '{}' claims {}x{} pixels of {}, more than can be read: scale it down", path.string(), width, height,
+             counted(static_cast<std::size_t>(channels), "channel"));
     }
 }
 
@@ -32,8 +33,8 @@ void check_raster_memory(const std::filesystem::path& path, const RasterFile& he
     const std::uint64_t needed = values * (sizeof(float) + static_cast<std::uint64_t>(header.bits) / 8);
     const std::uint64_t available = available_memory();
     if (needed <= available) return;
-    fail("image '{}' of {}x{} pixels and {} channels takes {} to read, and {} is available: scale it down",
-         path.string(), header.size.width, header.size.height, header.channels(), memory_text(needed),
+    fail("image '{}' of {}x{} pixels and {} takes {} to read, and {} is available: scale it down", path.string(),
+         header.size.width, header.size.height, counted(header.channel_names.size(), "channel"), memory_text(needed),
          memory_text(available));
 }
 

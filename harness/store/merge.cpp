@@ -1,5 +1,6 @@
 #include "store/merge.hpp"
 
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/suggest.hpp"
 #include "store/resume.hpp"
@@ -147,8 +148,8 @@ MergedRun merge_runs(std::vector<NamedRun> shards, std::span<const PlannedCell> 
     for (NamedRun& run : shards) {
         const ShardNumber shard = shard_of(run);
         if (shard.count != count) {
-            fail("{} is one of {} shards, {} one of {}: they are parts of different runs", first.name, count, run.name,
-                 shard.count);
+            fail("{} is one of {}, {} one of {}: they are parts of different runs", first.name, counted(count, "shard"),
+                 run.name, shard.count);
         }
         require_same_run(first, run);
         seen.add_shard(shard, run.name);

@@ -1,5 +1,6 @@
 #include "store/run_folder.hpp"
 
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/hash.hpp"
@@ -163,7 +164,7 @@ RunWriter::RunWriter(const std::filesystem::path& folder, const Json& run, Conti
         file->emplace(folder / name, LineFile::Start::continued);
         if (const std::size_t bytes = (*file)->repaired_bytes(); bytes > 0) {
             repairs_.push_back(
-                fmt::format("{}: the last line was cut short after {} bytes and is taken out", name, bytes));
+                fmt::format("{}: the last line was cut short after {} and is taken out", name, counted(bytes, "byte")));
         }
     }
     write_text_file(folder / run_file, dump_document(run));

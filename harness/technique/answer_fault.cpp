@@ -1,5 +1,7 @@
 #include "technique/answer_fault.hpp"
 
+#include "core/counted.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -71,7 +73,7 @@ std::string reason_of_faults(const std::vector<AnswerFault>& faults, std::size_t
     if (faults.empty()) return {};
     const AnswerFault& worst = worst_fault(faults);
     const std::string where =
-        worst.pixel ? fmt::format("{} of {} pixels", faults.size(), pixels) : std::string("a vertex");
+        worst.pixel ? fmt::format("{} of {}", faults.size(), counted(pixels, "pixel")) : std::string("a vertex");
     return fmt::format("{} answered out of range, the worst {}; {} (docs/adding_a_technique.md, Ranges)", where,
                        describe(worst), range_of(worst.quantity));
 }

@@ -1,5 +1,6 @@
 #include "verify/general_checks.hpp"
 
+#include "core/counted.hpp"
 #include "gpu/device.hpp"
 #include "technique/cut_loops.hpp"
 #include "verify/worst_pixel.hpp"
@@ -253,11 +254,11 @@ void check_work(CheckList& list) {
         }
         const std::string cut = describe_cut_loops(list.device(), relief);
         if (std::ranges::none_of(relief.hits.texels, &Hit::is_hit)) return {false, "nothing to check: no pixel is hit"};
-        return {
-            (taps > 0) == reads_the_relief && uncounted == 0 && cut.empty(),
-            fmt::format("{:.3g} taps in all; hits {} on the relief; {} pixels with steps but no texel read{}{}", taps,
-                        reads_the_relief ? "depend" : "do not depend", uncounted, cut.empty() ? "" : "; ", cut),
-            worst.place(where.view.resolution)};
+        return {(taps > 0) == reads_the_relief && uncounted == 0 && cut.empty(),
+                fmt::format("{:.3g} taps in all; hits {} on the relief; {} with steps but no texel read{}{}", taps,
+                            reads_the_relief ? "depend" : "do not depend", counted(uncounted, "pixel"),
+                            cut.empty() ? "" : "; ", cut),
+                worst.place(where.view.resolution)};
     });
 }
 

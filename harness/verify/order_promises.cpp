@@ -1,3 +1,4 @@
+#include "core/counted.hpp"
 #include "verify/promise_checks.hpp"
 
 #include "metrics/error_maps.hpp"
@@ -182,9 +183,9 @@ Finding failure(const CheckList& list, const PromiseDeclaration& declaration, co
 
 std::string nothing_to_compare(const std::string& by, const SampledError& first) {
     return fmt::format(
-        "nothing to compare by {}: with {} samples the median UV error is {:.3g} texels already, as good as the floor "
+        "nothing to compare by {}: with {} the median UV error is {:.3g} texels already, as good as the floor "
         "({:.2g})",
-        by, first.sampling.samples, first.median, first.floor);
+        by, counted(static_cast<std::size_t>(first.sampling.samples), "sample"), first.median, first.floor);
 }
 
 Finding judge_first_order(const CheckList& list, const PromiseDeclaration& declaration,

@@ -338,7 +338,7 @@ TEST(CompareRuns, AFigureOfAnOlderVersionStandsInAndThatIsSaid) {
     after.image->footprint.emplace();
     after.image->footprint->flip = 0.01;
     EXPECT_THAT(compare_one(one_run("base", {before}), one_run("new", {after})).notices,
-                Contains("of 1 of 1 cells one side has no image.footprint.flip, so image.flip decides in its place"));
+                Contains("of 1 of 1 cell one side has no image.footprint.flip, so image.flip decides in its place"));
     EXPECT_THAT(compare_one(one_run("base", {after}), one_run("new", {after})).notices,
                 testing::Not(Contains(HasSubstr("decides in its place"))));
 }
@@ -350,7 +350,7 @@ TEST(CompareRuns, TiesThatOneSideDidNotKnowAreANotice) {
     const auto notices = [&] { return compare_one(one_run("base", {before}), one_run("new", {after})).notices; };
     EXPECT_THAT(notices(), testing::Not(Contains(HasSubstr("error.ties"))));
     after.error->ties = 0.02;
-    EXPECT_THAT(notices(), Contains(HasSubstr("of 1 of 1 cells the errors of one side count ties")));
+    EXPECT_THAT(notices(), Contains(HasSubstr("of 1 of 1 cell the errors of one side count ties")));
 }
 
 TEST(CompareRuns, AChangedPreparationTimeIsANotice) {
@@ -435,9 +435,9 @@ TEST(CompareRuns, CellsOfUnchangedTechniquesThatMoveTogetherAreTheFirstNotice) {
     auto [base, changed] = runs_moved_by(1.5);
     set_everywhere(changed, [](Json& run) { run["environment"]["git_revision"] = "def"; });
     EXPECT_THAT(compare(base, changed).notices.front(),
-                AllOf(HasSubstr("20 of 20 cells of techniques whose folders are the same"), HasSubstr("slower")));
+                AllOf(HasSubstr("20 of 20 cells of techniques whose sources are the same"), HasSubstr("slower")));
     set_everywhere(changed, [](Json& run) { run["techniques"]["first"] = "other"; });
-    EXPECT_THAT(compare(base, changed).notices, testing::Not(Contains(HasSubstr("folders are the same"))));
+    EXPECT_THAT(compare(base, changed).notices, testing::Not(Contains(HasSubstr("sources are the same"))));
 }
 
 TEST(CompareRuns, AFewRunsThatLieFarApartOverruleALowMachineNoise) {
