@@ -1,5 +1,6 @@
 #include "report/csv.hpp"
 
+#include "core/number_text.hpp"
 #include "core/parallel.hpp"
 #include "report/flat_fields.hpp"
 
@@ -85,9 +86,18 @@ std::string quoted(const std::string& text) {
     return result + '"';
 }
 
+/// What a spreadsheet would run as a formula begins with a quote, by which spreadsheets know text; numbers stay as they
+/// are.
+std::string without_formula(const std::string& text) {
+    const bool is_formula = !text.empty() &&
+                            std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos &&
+                            !whole_text_as<double>(text);
+    return is_formula ? "'" + text : text;
+}
+
 std::string value_text(const Json& value) {
     if (value.is_null()) return "";
-    if (value.is_string()) return quoted(value.get<std::string>());
+    if (value.is_string()) return quoted(without_formula(value.get<std::string>()));
     return value.dump();
 }
 
@@ -129,7 +139,7 @@ std::string format_csv(const Run& run) {
     const std::vector<std::string> names = columns.names();
     std::vector<std::string> titles;
     for (const std::string& name : names) {
-        titles.push_back(quoted(name));
+        titles.push_back(quoted(without_formula(name)));
     }
     std::vector<std::string> lines(count);
     parallel_for(count, cells_at_a_time, [&](std::size_t begin, std::size_t end) {

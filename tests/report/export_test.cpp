@@ -149,6 +149,26 @@ TEST(Csv, ColumnsDoNotDependOnWhichCellsFailed) {
     EXPECT_THAT(titles, testing::Not(testing::Contains("error")));
 }
 
+/// What a spreadsheet would run is text; numbers stay numbers.
+TEST(Csv, TextIsNoFormula) {
+    reliefbench::Run run = sample_run();
+    run.cells.resize(1);
+    run.cells[0].axes["heightmap"] = "=HYPERLINK(\"x\",1).png";
+    run.cells[0].axes["boundary"] = "@SUM(1)";
+    run.cells[0].axes["azimuth"] = -90;
+    run.cells[0].axes["projection"] = "-1.5e3";
+    run.cells[0].reason = "+1 and more";
+    const auto rows = read_csv(format_csv(run));
+    const auto value = [&](const std::string& column) {
+        return rows[1][static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), column) - rows[0].begin())];
+    };
+    EXPECT_EQ(value("axes.heightmap"), "'=HYPERLINK(\"x\",1).png");
+    EXPECT_EQ(value("axes.boundary"), "'@SUM(1)");
+    EXPECT_EQ(value("axes.azimuth"), "-90");
+    EXPECT_EQ(value("axes.projection"), "-1.5e3");
+    EXPECT_EQ(value("reason"), "'+1 and more");
+}
+
 TEST(Csv, ARunWithoutCellsHasItsTitles) {
     const std::string csv = format_csv({});
     EXPECT_THAT(csv, testing::StartsWith("cell,technique,"));
