@@ -23,6 +23,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "technique/source_identity.hpp"
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -61,7 +62,7 @@ std::vector<std::string> notices_on(const TechniqueLibrary& base, const Techniqu
                                     const VariantOutcome& outcome, const TechniqueSources& baseline) {
     std::vector<std::string> notices{fmt::format("the base is {}", baseline.description)};
     notices.insert(notices.end(), baseline.notices.begin(), baseline.notices.end());
-    const bool same_shaders = hash_folder(baseline.shaders) == hash_folder(shader_root());
+    const bool same_shaders = hash_shared_shaders(baseline.shaders) == hash_shared_shaders(shader_root());
     if (!same_shaders) {
         notices.push_back(
             "the shared shaders (harness/shaders) differ between the sides, and each side is compiled with its own");

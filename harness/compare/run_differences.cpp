@@ -66,6 +66,12 @@ Json height_map_of(const StoredRun& run, const CellResult& cell) {
     return nullptr;
 }
 
+/// Of what is compiled and of nothing else (technique/source_identity.hpp): records of version 0.1.0 do not say so, and
+/// have hashes of all files of a folder.
+bool has_hashes_of_sources(const StoredRun& run) {
+    return !value_at(run, {"source_hashes"}).is_null();
+}
+
 }  // namespace
 
 std::string device_difference(const StoredRun& base, const StoredRun& changed) {
@@ -138,9 +144,12 @@ std::vector<std::string> run_differences(const StoredRun& base, const StoredRun&
     compare("the driver's version", {"device", "driver_version"});
     compare("the tool's version", {"environment", "tool_version"});
     compare("the git revision", {"environment", "git_revision"});
+    const bool hashes_tell = has_hashes_of_sources(base) && has_hashes_of_sources(changed);
     if (const Json before = value_at(base, {"shaders"}), after = value_at(changed, {"shaders"});
         !before.is_null() && !after.is_null() && before != after) {
-        differences.push_back("the shaders that all techniques share changed");
+        differences.push_back(hashes_tell
+                                  ? "the shaders that all techniques share changed"
+                                  : "the shaders that all techniques share, or other files beside them, changed");
     }
     std::vector<std::string> sources;
     const Json techniques = value_at(base, {"techniques"});
@@ -148,7 +157,13 @@ std::vector<std::string> run_differences(const StoredRun& base, const StoredRun&
         const Json after = value_at(changed, {"techniques", technique.c_str()});
         if (!after.is_null() && after != hash) sources.push_back(technique);
     }
-    if (!sources.empty()) differences.push_back("the sources of these techniques changed: " + join(sources));
+    if (!sources.empty()) {
+        differences.push_back((hashes_tell
+                                   ? "the sources of these techniques changed: "
+                                   : "the sources of these techniques, or other files in their folders, changed "
+                                     "(one of the runs has one hash for both): ") +
+                              join(sources));
+    }
     append_member_differences(differences, "sampling:", value_at(base, {"configuration", "sampling"}),
                               value_at(changed, {"configuration", "sampling"}));
     if (!same_truth(base, changed)) {

@@ -20,7 +20,7 @@ bool from_changed_tree(const StoredRun& run);
 bool same_truth(const StoredRun& base, const StoredRun& changed);
 bool same_lighting(const StoredRun& base, const StoredRun& changed);
 bool same_motion(const StoredRun& base, const StoredRun& changed);
-/// The technique's own folder has the same content on both sides.
+/// What is compiled of the technique's own folder is the same on both sides, as far as the records prove it.
 bool same_source(const StoredRun& base, const StoredRun& changed, const std::string& technique);
 
 /// The technique's cells run the same code on the same machine on both sides, as far as the records prove it: the same

@@ -4,6 +4,7 @@
 #include "gpu/device.hpp"
 #include "store/environment.hpp"
 #include "technique/renderer.hpp"
+#include "technique/source_identity.hpp"
 
 #include <map>
 #include <set>
@@ -84,7 +85,8 @@ Json make_run_record(const RunSubject& subject) {
     record["environment"]["shared_device"] = subject.shares_device;
     record["device"] = device_record(subject.device.info());
     record["techniques"] = technique_hashes(subject.library, subject.cells);
-    record["shaders"] = hash_folder(shader_root());
+    record["shaders"] = hash_shared_shaders(shader_root());
+    record["source_hashes"] = hashes_of_included_files;
     record["height_maps"] = height_map_records(subject.height_maps);
     record["empty_pass"] = empty_pass_record(subject.device);
     record["filter_deviation"] = filter_deviations(subject.device, subject.height_maps);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <string_view>
 #include <utility>
 
 namespace reliefbench {
@@ -72,8 +73,10 @@ std::vector<std::string> resume_differences(const Json& recorded, const Json& no
         const Json hashes_after = value_at(now, {key});
         if (hashes_before == hashes_after) continue;
         const bool named = hashes_before.is_structured() && hashes_after.is_structured();
-        differences.push_back(fmt::format("the content of {} differs{}", what,
-                                          named ? " at " + places(hashes_before, hashes_after) : ""));
+        const bool of_sources_alone = std::string_view(key) == "height_maps" || recorded.contains("source_hashes");
+        differences.push_back(fmt::format("the content of {} differs{}{}", what,
+                                          named ? " at " + places(hashes_before, hashes_after) : "",
+                                          of_sources_alone ? "" : ", or of other files in their folders"));
     }
     const auto compare = [&](const char* what, std::initializer_list<const char*> path) {
         const Json value_before = value_at(recorded, path);

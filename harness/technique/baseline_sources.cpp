@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/process.hpp"
+#include "technique/technique.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -107,9 +108,13 @@ TechniqueSources sources_of_revision(const std::string& revision, const Techniqu
         return copy_from_revision(*found, commit, scratch);
     };
     TechniqueSources sources;
+    std::vector<fs::path> of_revision;
     for (const fs::path& root : own.roots) {
-        if (auto copy = at_revision(root)) sources.roots.push_back(std::move(*copy));
+        auto copy = at_revision(root);
+        if (copy) (*copy == root ? sources.roots : of_revision).push_back(std::move(*copy));
     }
+    // Where a technique of the revision has the id of one that lies elsewhere, it is what that one is compared with.
+    sources.roots.insert(sources.roots.end(), of_revision.begin(), of_revision.end());
     const std::optional<fs::path> shaders = at_revision(own.shaders);
     if (sources.roots.empty() || !shaders) {
         fail("revision '{}' of {} has no {}", revision, top.string(),
@@ -121,25 +126,15 @@ TechniqueSources sources_of_revision(const std::string& revision, const Techniqu
     return sources;
 }
 
-bool holds_techniques(const fs::path& folder) {
-    return std::any_of(fs::directory_iterator(folder), fs::directory_iterator(),
-                       [](const fs::directory_entry& entry) { return fs::exists(entry.path() / "technique.json"); });
-}
-
 TechniqueSources sources_of_folder(const fs::path& folder, const TechniqueSources& own) {
-    if (fs::exists(folder / "technique.json")) {
-        fail("the baseline {} is one technique's folder; name the folder that holds it", folder.string());
-    }
     TechniqueSources sources{{folder}, own.shaders, "folder " + folder.string()};
     if (fs::is_directory(folder / "techniques")) {
         sources.roots = {folder / "techniques"};
         const fs::path shaders = folder / "harness" / "shaders";
         if (fs::is_directory(shaders)) sources.shaders = shaders;
     }
-    if (!holds_techniques(sources.roots.front())) {
-        fail("the baseline {} holds no techniques: neither techniques/ nor folders with a technique.json",
-             folder.string());
-    }
+    if (const std::string complaint = complaint_of_root(sources.roots.front()); !complaint.empty())
+        fail("the baseline {}", complaint);
     return sources;
 }
 

@@ -22,7 +22,8 @@ struct TechniqueSources {
 ///   technique folders;
 /// - else a revision of the git repository in which the last of the roots of `own` lies that lies in one: what `own`
 ///   has there is read into `scratch` as it was in that revision, without touching the work tree; what lies elsewhere
-///   is the same on both sides. A root that did not exist in that revision is left out.
+///   is the same on both sides, and comes first. A root that did not exist in that revision is left out.
+/// Roots may hold the same id: that of the later root counts (SameId::last_wins).
 /// Shared shaders that do not fit this harness (shader_interface) are replaced by those of `own`, with a notice. A
 /// baseline that is neither is an Error.
 TechniqueSources find_baseline(const std::string& baseline, const TechniqueSources& own,

@@ -1,12 +1,12 @@
 #include "technique/technique.hpp"
 
 #include "core/error.hpp"
-#include "core/file.hpp"
-#include "core/hash.hpp"
 #include "core/suggest.hpp"
+#include "technique/source_identity.hpp"
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace reliefbench {
 
@@ -14,17 +14,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Everything but documents and pictures: whatever else lies in the folder, a shader may include.
-bool shaders_can_reach(const fs::path& file) {
-    const std::string extension = file.extension().string();
-    return extension != ".md" && extension != ".png";
+constexpr const char* manifest_file = "technique.json";
+
+/// Where a path leads, whatever links it goes through; one that leads nowhere as it is.
+fs::path real_path(const fs::path& path) {
+    std::error_code error;
+    const fs::path real = fs::canonical(path, error);
+    return error ? path : real;
 }
 
 std::vector<fs::path> technique_folders(const fs::path& root) {
     std::error_code error;
     std::vector<fs::path> folders;
     for (fs::directory_iterator entry(root, error), end; !error && entry != end; entry.increment(error)) {
-        if (entry->is_directory() && fs::exists(entry->path() / "technique.json")) folders.push_back(entry->path());
+        if (entry->is_directory() && fs::exists(entry->path() / manifest_file)) folders.push_back(entry->path());
     }
     if (error) fail("cannot look for techniques in {}: {}", root.string(), error.message());
     return folders;
@@ -47,16 +50,17 @@ fs::path data_folder() {
 
 }  // namespace
 
-std::string hash_folder(const fs::path& folder) {
-    std::vector<fs::path> files;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-        if (entry.is_regular_file() && shaders_can_reach(entry.path())) files.push_back(entry.path());
+std::string complaint_of_root(const fs::path& root) {
+    std::error_code ignored;
+    if (!fs::is_directory(root, ignored) || !technique_folders(root).empty()) return {};
+    if (fs::exists(root / manifest_file, ignored)) {
+        const fs::path above = (fs::absolute(root) / ".").lexically_normal().parent_path().parent_path();
+        return fmt::format("{} is one technique's folder; name the folder that holds it: {}", root.string(),
+                           above.string());
     }
-    std::sort(files.begin(), files.end());
-    std::string digest;
-    for (const fs::path& file : files)
-        digest += fs::relative(file, folder).generic_string() + '\n' + content_hash(read_text_file(file)) + '\n';
-    return content_hash(digest);
+    const bool is_checkout = fs::is_directory(root / "techniques", ignored);
+    return fmt::format("{} holds no technique folder, which is one with a {}{}", root.string(), manifest_file,
+                       is_checkout ? "; do you mean " + (root / "techniques").string() + "?" : "");
 }
 
 std::vector<Manifest> TechniqueLibrary::manifests() const {
@@ -78,24 +82,30 @@ const Technique& TechniqueLibrary::get(const std::string& id) const {
     fail("there is no technique '{}'{}; there are: {}", id, did_you_mean(id, known), join(known));
 }
 
-TechniqueLibrary find_techniques(const std::vector<fs::path>& roots, const fs::path& shaders) {
+TechniqueLibrary find_techniques(const std::vector<fs::path>& roots, const fs::path& shaders, SameId same_id) {
     TechniqueLibrary library;
     std::vector<fs::path> folders;
     for (const fs::path& root : roots) {
         for (const fs::path& folder : technique_folders(root)) {
-            const auto same_id = [&](const fs::path& other) { return other.filename() == folder.filename(); };
-            const auto found = std::find_if(folders.begin(), folders.end(), same_id);
-            if (found != folders.end())
+            const auto has_id = [&](const fs::path& other) { return other.filename() == folder.filename(); };
+            const auto found = std::find_if(folders.begin(), folders.end(), has_id);
+            if (found == folders.end()) {
+                folders.push_back(folder);
+            } else if (same_id == SameId::last_wins) {
+                *found = folder;
+            } else if (real_path(*found) != real_path(folder)) {
                 fail("technique '{}' exists both as {} and as {}; rename one folder", folder.filename().string(),
                      found->string(), folder.string());
-            folders.push_back(folder);
+            }
         }
     }
     const auto by_id = [](const fs::path& a, const fs::path& b) { return a.filename() < b.filename(); };
     std::sort(folders.begin(), folders.end(), by_id);
     for (const fs::path& folder : folders) {
         try {
-            library.techniques.push_back({load_manifest(folder, shaders), folder, hash_folder(folder), shaders});
+            Manifest manifest = load_manifest(folder, shaders);
+            std::string hash = hash_technique(manifest, folder, shaders);
+            library.techniques.push_back({std::move(manifest), folder, std::move(hash), shaders});
         } catch (const Error& error) {
             library.broken.emplace_back(folder.filename().string(), error.what());
         }

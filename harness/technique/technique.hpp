@@ -19,7 +19,7 @@ std::filesystem::path configuration_root();
 struct Technique {
     Manifest manifest;
     std::filesystem::path folder;
-    /// Content hash of every file of the folder that shaders can reach, and of technique.json.
+    /// Content hash of what its compilations include of the folder (technique/source_identity.hpp).
     std::string hash;
     /// Of the GLSL that it is compiled with.
     std::filesystem::path shaders = shader_root();
@@ -36,11 +36,22 @@ struct TechniqueLibrary {
     const Technique& get(const std::string& id) const;
 };
 
-/// Every sub-folder of `roots` with a technique.json. The same id in two roots is an Error.
-TechniqueLibrary find_techniques(const std::vector<std::filesystem::path>& roots,
-                                 const std::filesystem::path& shaders = shader_root());
+/// What is made of an id that two folders have.
+enum class SameId {
+    /// An Error.
+    refused,
+    /// That of the later root takes the other's place.
+    last_wins,
+};
 
-/// Content hash of all files below the folder but documents and pictures.
-std::string hash_folder(const std::filesystem::path& folder);
+/// Every sub-folder of `roots` with a technique.json; one that two roots lead to, by whatever path or link, counts
+/// once.
+TechniqueLibrary find_techniques(const std::vector<std::filesystem::path>& roots,
+                                 const std::filesystem::path& shaders = shader_root(),
+                                 SameId same_id = SameId::refused);
+
+/// Why a folder is no root: it is a technique's own folder, or there is no technique in it. Empty where it is one, and
+/// where there is no folder at all.
+std::string complaint_of_root(const std::filesystem::path& root);
 
 }  // namespace reliefbench

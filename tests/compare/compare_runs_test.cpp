@@ -1,6 +1,7 @@
 #include "compare/compare_runs.hpp"
 
 #include "compare/pair_runs.hpp"
+#include "compare/run_differences.hpp"
 #include "compare/synthetic_runs.hpp"
 #include "support/error_message.hpp"
 
@@ -256,6 +257,24 @@ TEST(CompareRuns, DifferencesBetweenTheSidesAreNotices) {
                              "sampling: rounds changed from 5 to 7",
                          }));
     EXPECT_EQ(notices.size(), 8U);  // and the noise
+}
+
+/// Version 0.1.0 hashed every file of a folder: what differs may be no source.
+TEST(CompareRuns, HashesOfWholeFoldersDoNotTellThatSourcesChanged) {
+    StoredRun base = one_run("base", {cell_result("c", 1)});
+    base.run.run.erase("source_hashes");
+    base.run.run["shaders"] = "one";
+    StoredRun changed = one_run("changed", {cell_result("c", 1)});
+    changed.run.run["shaders"] = "two";
+    changed.run.run["techniques"]["second"] = "other";
+    const std::vector<std::string> differences = run_differences(base, changed);
+    EXPECT_THAT(differences, Contains(HasSubstr("the shaders that all techniques share, or other files beside them")));
+    EXPECT_THAT(differences,
+                Contains(AllOf(HasSubstr("or other files in their folders, changed"), HasSubstr(": second"))));
+    changed.run.run["shaders"] = "one";
+    changed.run.run["techniques"]["second"] = "hash2";
+    EXPECT_TRUE(same_source(base, changed, "second")) << "equal ones tell that they did not";
+    EXPECT_TRUE(run_differences(base, changed).empty());
 }
 
 TEST(CompareRuns, RunsOfASideThatDifferAmongThemselvesAreANotice) {

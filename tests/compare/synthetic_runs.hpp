@@ -24,6 +24,7 @@ inline Json run_record() {
                         "os": "an OS"},
         "device": {"name": "a device", "type": "CPU", "driver": "a driver", "driver_version": "1.2"},
         "techniques": {"first": "hash1", "second": "hash2"},
+        "source_hashes": "included files",
         "height_maps": [{"name": "rock", "format": "r16", "size": [256, 256], "hash": "h", "albedo_hash": "a"}]
     })");
 }

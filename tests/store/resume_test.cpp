@@ -18,6 +18,7 @@ const Json recorded = Json::parse(R"({
     "filters": [],
     "techniques": {"first": "aa"},
     "shaders": "bb",
+    "source_hashes": "included files",
     "height_maps": [{"name": "rocks.png", "hash": "cc"}],
     "device": {"name": "fast", "type": "discrete GPU", "driver": "d", "driver_version": "1"},
     "environment": {"cpu": "old", "tool_version": "0.1.0", "time": "yesterday"}
@@ -50,6 +51,19 @@ TEST(ResumeDifferences, AllThatMovesAFigureIsTold) {
                 ElementsAre("the driver's version was '1' and is '2'"));
     EXPECT_THAT(differences_after("/environment/tool_version", "0.2.0"),
                 ElementsAre("the tool's version was '0.1.0' and is '0.2.0'"));
+}
+
+TEST(ResumeDifferences, HashesOfWholeFoldersMayDifferByOtherFiles) {
+    Json before = recorded;
+    before.erase("source_hashes");
+    EXPECT_THAT(resume_differences(before, recorded), IsEmpty());
+    before["techniques"]["first"] = "ab";
+    EXPECT_THAT(resume_differences(before, recorded),
+                ElementsAre("the content of techniques differs at /first, or of other files in their folders"));
+    before = recorded;
+    before.erase("source_hashes");
+    before["height_maps"][0]["hash"] = "ab";
+    EXPECT_THAT(resume_differences(before, recorded), ElementsAre("the content of height maps differs at /0/hash"));
 }
 
 TEST(ResumeDifferences, OfACpuDeviceTheCpuIsTold) {

@@ -128,8 +128,8 @@ TEST_F(Baseline, ADirectoryNamedBesideIsTakenFromTheRevisionOfItsRepository) {
     // In no repository: the same on both sides.
     TechniqueSources found = find_baseline("old", with_mine, folder_.path() / "scratch1");
     ASSERT_EQ(found.roots.size(), 2U);
-    EXPECT_EQ(found.roots[1], mine);
-    EXPECT_NE(found.roots[0], checkout_ / "techniques");
+    EXPECT_EQ(found.roots[0], mine) << "before the revision's, whose techniques take the place of those with their ids";
+    EXPECT_NE(found.roots[1], checkout_ / "techniques");
 
     const auto git_mine = [&](std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), {"git", "-C", mine.string(), "-c", "user.name=n", "-c", "user.email=e"});
@@ -169,7 +169,8 @@ TEST_F(Baseline, AFolderOfTechniqueFoldersSharesOurs) {
 
 TEST_F(Baseline, AFolderWithoutTechniquesIsAnError) {
     fs::create_directory(folder_.path() / "empty");
-    EXPECT_THAT(error_message([&] { find((folder_.path() / "empty").string()); }), HasSubstr("holds no techniques"));
+    EXPECT_THAT(error_message([&] { find((folder_.path() / "empty").string()); }),
+                HasSubstr("holds no technique folder"));
     EXPECT_THAT(error_message([&] { find((checkout_ / "techniques/first").string()); }),
                 HasSubstr("one technique's folder"));
 }

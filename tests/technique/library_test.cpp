@@ -36,12 +36,55 @@ TEST(TechniqueLibrary, UnknownNameIsSuggested) {
     EXPECT_THAT(error_message([&] { library.get(id + "x"); }), HasSubstr("did you mean '" + id + "'"));
 }
 
-TEST(TechniqueLibrary, SameIdInTwoRootsIsAnError) {
-    const TemporaryTechnique folder(Files{{"trace.glsl", flat_trace}});
-    EXPECT_THAT(error_message([&] {
-                    find_techniques({folder.root(), folder.root()});
-                }),
-                HasSubstr("rename one folder"));
+class TwoRoots : public testing::Test {
+protected:
+    TwoRoots() {
+        copy_ = folder_.path() / "copy";
+        std::filesystem::create_directory(copy_);
+        std::filesystem::copy(technique_.folder(), copy_ / technique_.folder().filename());
+    }
+
+    std::filesystem::path link(const std::filesystem::path& to) const {
+        const std::filesystem::path link = folder_.path() / "link";
+        std::filesystem::create_directory_symlink(to, link);
+        return link;
+    }
+
+    TemporaryFolder folder_;
+    const TemporaryTechnique technique_{Files{{"trace.glsl", flat_trace}}};
+    std::filesystem::path copy_;
+};
+
+TEST_F(TwoRoots, WithTheSameIdAreAnError) {
+    EXPECT_THAT(error_message([&] { find_techniques({technique_.root(), copy_}); }), HasSubstr("rename one folder"));
+}
+
+TEST_F(TwoRoots, ThatAreOneFolderCountOnce) {
+    const std::filesystem::path root = technique_.root();
+    for (const std::filesystem::path& again :
+         {root, root / ".", root / technique_.folder().filename() / "..", link(root)})
+        EXPECT_EQ(find_techniques({root, again}).techniques.size(), 1U) << again;
+    std::filesystem::remove_all(copy_ / technique_.folder().filename());
+    std::filesystem::create_directory_symlink(technique_.folder(), copy_ / technique_.folder().filename());
+    EXPECT_EQ(find_techniques({root, copy_}).techniques.size(), 1U) << "a link to one technique";
+}
+
+TEST_F(TwoRoots, WhereTheLastWinsHaveItsTechnique) {
+    const TechniqueLibrary library = find_techniques({technique_.root(), copy_}, shader_root(), SameId::last_wins);
+    ASSERT_EQ(library.techniques.size(), 1U);
+    EXPECT_EQ(library.techniques[0].folder.parent_path(), copy_);
+}
+
+TEST_F(TwoRoots, WhatIsNoRootSaysWhatToName) {
+    EXPECT_EQ(complaint_of_root(copy_), "");
+    EXPECT_EQ(complaint_of_root("/nowhere/at/all"), "") << "told when it is looked into";
+    const std::string own = complaint_of_root(technique_.folder());
+    EXPECT_THAT(own,
+                HasSubstr("is one technique's folder; name the folder that holds it: " + technique_.root().string()));
+    std::filesystem::create_directories(folder_.path() / "checkout/techniques");
+    EXPECT_THAT(complaint_of_root(folder_.path() / "checkout"),
+                testing::AllOf(HasSubstr("holds no technique folder"), HasSubstr("checkout/techniques?")));
+    EXPECT_THAT(complaint_of_root(folder_.path() / "checkout/techniques"), HasSubstr("holds no technique folder"));
 }
 
 TEST(TechniqueLibrary, MissingRootIsAnError) {
@@ -49,7 +92,9 @@ TEST(TechniqueLibrary, MissingRootIsAnError) {
 }
 
 TEST(TechniqueLibrary, HashFollowsShadersButNotDocuments) {
-    const TemporaryTechnique folder(Files{{"trace.glsl", flat_trace}, {"helper.glsl", "// one"}, {"README.md", "a"}});
+    const TemporaryTechnique folder(Files{{"trace.glsl", std::string("#include \"helper.glsl\"\n") + flat_trace},
+                                          {"helper.glsl", "// one"},
+                                          {"README.md", "a"}});
     const std::string hash = folder.load().hash;
     write_text_file(folder.folder() / "README.md", "b");
     EXPECT_EQ(folder.load().hash, hash);
