@@ -13,7 +13,9 @@ namespace reliefbench {
 namespace {
 
 constexpr double terminal_interval_s = 0.1;
-constexpr double plain_interval_s = 5;
+/// Lines of a log: soon at first, so that it shows what goes on, then seldom.
+constexpr double shortest_plain_interval_s = 1;
+constexpr double longest_plain_interval_s = 5;
 constexpr std::size_t default_columns = 80;
 
 std::size_t terminal_columns() {
@@ -42,8 +44,9 @@ std::string format_progress(const Progress& progress) {
         share = fmt::format(" {:3.0f} %,", percent);
         left = fmt::format(", {} left", format_duration(progress.remaining_s));
     }
-    return fmt::format("[{:>{}}/{}]{} {} elapsed{}: {}", progress.cells_done, total.size(), total, share,
-                       format_duration(progress.elapsed_s), left, progress.current);
+    return fmt::format("[{:>{}}/{}]{} {} elapsed{}: {}{}{}", progress.cells_done, total.size(), total, share,
+                       format_duration(progress.elapsed_s), left, progress.stage, progress.stage.empty() ? "" : ": ",
+                       progress.current);
 }
 
 ProgressPrinter::ProgressPrinter() : terminal_(isatty(STDERR_FILENO) == 1) {}
@@ -54,9 +57,14 @@ ProgressPrinter::~ProgressPrinter() {
 
 void ProgressPrinter::operator()(const Progress& progress) {
     const bool last = progress.cells_done == progress.cells_total;
-    const double interval_s = terminal_ ? terminal_interval_s : plain_interval_s;
-    if (!last && last_s_ >= 0 && progress.elapsed_s - last_s_ < interval_s) return;
+    const double interval_s = terminal_
+                                  ? terminal_interval_s
+                                  : std::clamp(progress.elapsed_s, shortest_plain_interval_s, longest_plain_interval_s);
+    // A stage that takes long is to be seen while it does.
+    const bool begins = terminal_ && progress.stage != last_stage_;
+    if (!last && !begins && last_s_ >= 0 && progress.elapsed_s - last_s_ < interval_s) return;
     last_s_ = progress.elapsed_s;
+    last_stage_ = progress.stage;
     if (terminal_) {
         fmt::print(stderr, "\r\033[K{:.{}}", format_progress(progress), terminal_columns() - 1);
         std::fflush(stderr);

@@ -137,12 +137,19 @@ PreparedOrSkipped prepare_cell(const gpu::Device& device, const Technique& techn
                                const LongPreparation& long_preparation) {
     const std::string refused = refusal(device, technique, cell, inputs, configuration);
     if (!refused.empty()) return {std::nullopt, refused};
+    const auto begin = [&](const char* stage) {
+        if (long_preparation.on_stage) long_preparation.on_stage(stage);
+    };
+    if (!inputs.has_map(cell.view)) begin("loading the height map");
     const LoadedMap& loaded = inputs.map(cell.view);
     const View& view = cell.view.view;
+    begin("compiling");
     Renderer renderer(device, technique, cell.parameters, loaded.scene, view, configuration.lighting,
                       configuration.object);
+    if (!technique.manifest.passes.empty()) begin("making its maps");
     Preparation preparation = prepare_once(device, renderer, configuration, long_preparation);
     if (!preparation.given_up.empty()) return {std::nullopt, preparation.given_up};
+    begin("drawing it once, counted");
     Probe probe = renderer.probe();
     if (!probe.faults.empty()) fail("{}", reason_of_faults(probe.faults, view.resolution.pixels()));
 
@@ -162,7 +169,9 @@ PreparedOrSkipped prepare_cell(const gpu::Device& device, const Technique& techn
     if (!result.reason.empty()) result.status = CellStatus::failed;
     result.pipeline = renderer.pipeline_statistics();
     result.executable = renderer.executable_statistics();
+    if (!inputs.has_truth(cell.view)) begin("tracing the truth");
     const Truth& truth = inputs.truth(cell.view);
+    begin("comparing with the truth");
     result.error = to_errors(compare_hits(probe.hits, truth.hits, truth.footprint, loaded.map, view.relief));
     if (view.self_shadow.mode != SelfShadow::Mode::off) {
         if (result.work) add_shadow_work(*result.work, probe);

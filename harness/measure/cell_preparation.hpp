@@ -61,6 +61,8 @@ struct LongPreparation {
     FailedPreparations& failed;
     /// Told the maps that are being made, and nothing when they are.
     std::function<void(const std::string& maps)> on_maps = {};
+    /// Told what is begun, in words ("compiling"). May be empty.
+    std::function<void(const std::string& stage)> on_stage = {};
 };
 
 /// "preparing (search) 34 %, 21 s left".

@@ -65,7 +65,8 @@ ReadyCell DeviceCells::make_ready(std::size_t index, const std::function<void(co
         .map_cache = maps_.cache,
         .on_progress = [&](const PreparationProgress& progress) { on_progress(describe(progress)); },
         .failed = maps_.failed,
-        .on_maps = maps_.on_maps};
+        .on_maps = maps_.on_maps,
+        .on_stage = on_progress};
     std::optional<PreparedOrSkipped> outcome;
     try {
         outcome.emplace(

@@ -10,8 +10,11 @@
 #include "measure/time_estimate.hpp"
 #include "store/crashes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -76,6 +79,7 @@ public:
         const std::vector<Block> blocks = make_blocks(cells_);
         for (std::size_t block = 0; block < blocks.size() && !interrupted(); ++block) {
             const std::vector<std::size_t> unfinished = without_finished(blocks[block].cells);
+            if (blocks.size() > 1) of_block_ = fmt::format(", block {} of {}", block + 1, blocks.size());
             if (!unfinished.empty()) measure_block(unfinished, block, mix_bits(configuration_.seed + block));
         }
         tell_cell({});
@@ -100,6 +104,8 @@ private:
 
     void measure_block(const std::vector<std::size_t>& cells, std::size_t number, std::uint64_t seed) {
         source_.begin_block(cells);
+        cells_of_block_ = cells.size();
+        prepared_ = 0;
         std::vector<ReadyCell> ready;
         ready.reserve(cells.size());
         for (std::span<const std::size_t> left = cells; !left.empty();) {
@@ -140,6 +146,7 @@ private:
 
     ReadyCell make_ready(std::size_t index) {
         const Cell& cell = cells_[index];
+        stage_ = fmt::format("preparing {} of {}{}", ++prepared_, cells_of_block_, of_block_);
         report(cell.id);
         if (const auto crashes = options_.earlier.crashes.find(cell.id);
             crashes != options_.earlier.crashes.end() && crashes->second.size() >= most_crashes) {
@@ -149,8 +156,7 @@ private:
             return crashed;
         }
         tell_cell(cell.id);
-        ReadyCell ready =
-            source_.make_ready(index, [&](const std::string& progress) { report(cell.id + ": " + progress); });
+        ReadyCell ready = source_.make_ready(index, [&](const std::string& detail) { report(cell.id, detail); });
         for (const auto& [pass, samples] : ready.preparation_ms) {
             writer_.append_samples({cell.id, pass, 0, 0, 1, samples});
         }
@@ -204,6 +210,7 @@ private:
                              .seed = seed,
                              .in_flight = source_.in_flight()};
         go_on_from_earlier(ready, rounds);
+        warmed_ = 0;
         std::vector<SampledSubject> sampled = sample_in_rounds(subjects, *rule_, rounds, callbacks(sampling));
         split_.timing_s += sampling.last_visit_s - sampling.first_visit_s;
         for (std::size_t subject = 0; subject < ready.size(); ++subject) {
@@ -228,6 +235,8 @@ private:
     RoundCallbacks callbacks(Sampling& sampling) {
         RoundCallbacks callbacks;
         callbacks.on_warm = [this, &sampling] {
+            warmed_.reset();
+            stage_ = "sampling" + of_block_;
             sampling.first_visit_s = sampling.last_visit_s = sampling.round_start_s = clock_.seconds();
         };
         callbacks.on_visit = [this, &sampling](const Visit& visit) { keep(visit, sampling); };
@@ -238,7 +247,13 @@ private:
             sampling.ready[subject].result.reason = reason;
             note_failure(sampling.ready[subject].result);
         };
-        callbacks.on_turn = [this, &sampling](std::size_t subject) { tell_cell(sampling.ready[subject].result.cell); };
+        callbacks.on_turn = [this, &sampling](std::size_t subject) {
+            const std::string& cell = sampling.ready[subject].result.cell;
+            tell_cell(cell);
+            if (!warmed_) return;
+            stage_ = fmt::format("warming up {} of {}{}", ++*warmed_, sampling.ready.size(), of_block_);
+            report(cell);
+        };
         callbacks.on_stop = [this, &sampling](std::size_t subject, StopReason) {
             estimate_.finish_cell(sampling.visits[subject]);
         };
@@ -311,13 +326,14 @@ private:
         report(result.cell);
     }
 
-    void report(const std::string& current) const {
+    void report(const std::string& current, const std::string& detail = {}) const {
         if (!on_progress_) {
             return;
         }
         Progress progress;
         progress.cells_done = cells_done_;
         progress.cells_total = cells_.size();
+        progress.stage = detail.empty() ? stage_ : stage_ + ", " + detail;
         progress.current = current;
         progress.elapsed_s = clock_.seconds() - start_s_;
         progress.remaining_s = estimate_.remaining_seconds();
@@ -340,6 +356,13 @@ private:
     RunTally tally_;
     bool device_lost_ = false;
     TimeSplit split_;
+    /// What progress tells: of the block at hand, which is named where there are several.
+    std::string stage_;
+    std::string of_block_;
+    std::size_t cells_of_block_ = 0;
+    std::size_t prepared_ = 0;
+    /// While subjects are warmed up, how many have been.
+    std::optional<std::size_t> warmed_;
 };
 
 }  // namespace

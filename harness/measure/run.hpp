@@ -18,7 +18,9 @@ namespace reliefbench {
 struct Progress {
     std::size_t cells_done = 0;
     std::size_t cells_total = 0;
-    /// Cell or stage being worked on.
+    /// What is being done, in words, and how much of it: "preparing 3 of 64, compiling"; may be empty.
+    std::string stage = {};
+    /// Cell or thing that it is being done to.
     std::string current;
     double elapsed_s = 0;
     /// Estimated from what cells took so far; negative while unknown.

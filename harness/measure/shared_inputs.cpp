@@ -71,10 +71,13 @@ ViewKey truth_key(const ViewKey& view) {
 
 }  // namespace
 
-std::vector<HeightMapRecord> inspect_height_maps(const std::vector<Cell>& cells) {
+std::vector<HeightMapRecord> inspect_height_maps(const std::vector<Cell>& cells,
+                                                 const std::function<void(const std::string& map)>& on_map) {
     std::vector<HeightMapRecord> records;
-    for (const ViewKey* map : distinct_maps(cells))
+    for (const ViewKey* map : distinct_maps(cells)) {
+        if (on_map) on_map(map->height_map.name);
         records.push_back(inspect(*map));
+    }
     return records;
 }
 
@@ -123,9 +126,13 @@ bool SharedInputs::has_map(const ViewKey& key) const {
     return std::ranges::any_of(maps_, [&](const KeyedMap& keyed) { return same_map(key, keyed.source, keyed.format); });
 }
 
+bool SharedInputs::has_truth(const ViewKey& view) const {
+    return truth_ && truth_->key == truth_key(view);
+}
+
 const Truth& SharedInputs::truth(const ViewKey& view) {
-    const ViewKey key = truth_key(view);
-    if (!truth_ || truth_->key != key) {
+    if (!has_truth(view)) {
+        const ViewKey key = truth_key(view);
         truth_.reset();
         truth_.emplace(KeyedTruth{key, trace(key, key.view)});
     }

@@ -6,6 +6,7 @@
 #include "sweep/configuration.hpp"
 #include "technique/renderer.hpp"
 
+#include <functional>
 #include <list>
 #include <optional>
 #include <vector>
@@ -25,8 +26,10 @@ struct HeightMapRecord {
 };
 
 /// Loads every height map and albedo of the cells once, so that a bad one is an Error before anything is written. One
-/// that the memory does not hold is a warning, and has no hashes: its cells are skipped.
-std::vector<HeightMapRecord> inspect_height_maps(const std::vector<Cell>& cells);
+/// that the memory does not hold is a warning, and has no hashes: its cells are skipped. `on_map`, unless empty, is
+/// told each map before it is loaded.
+std::vector<HeightMapRecord> inspect_height_maps(const std::vector<Cell>& cells,
+                                                 const std::function<void(const std::string& map)>& on_map = {});
 
 /// The same Errors and warnings for what is read from files, without the records.
 void check_input_files(const std::vector<Cell>& cells);
@@ -55,6 +58,7 @@ public:
     /// An Error where there is not the memory for it.
     const LoadedMap& map(const ViewKey& key);
     bool has_map(const ViewKey& key) const;
+    bool has_truth(const ViewKey& view) const;
     /// Valid until the truth of another view is asked for.
     const Truth& truth(const ViewKey& view);
     /// The same view's from another camera, which is not kept, without shadows.

@@ -110,8 +110,9 @@ private:
         inputs_.keep_only(views);
         std::vector<ReadyPair> ready;
         ready.reserve(block.cells.size());
+        std::size_t prepared = 0;
         for (const std::size_t index : block.cells) {
-            report(comparable[index].id);
+            stage_ = fmt::format("preparing {} of {}", ++prepared, block.cells.size());
             if (auto pair = make_ready(comparable[index])) {
                 ready.push_back(std::move(*pair));
             } else {
@@ -158,14 +159,16 @@ private:
     std::optional<ReadyPair> make_ready(const Cell& cell) {
         const Technique& base = *find_technique(variants_.base, cell.technique);
         std::string reason;
+        side_ = "baseline";
         auto prepared_base = prepare(base, baseline_cell(cell, base.manifest), failed_in_baseline_, reason);
         if (!prepared_base) {
-            outcome_.unmeasured.push_back({cell.id, with_side("baseline", reason)});
+            outcome_.unmeasured.push_back({cell.id, with_side(side_, reason)});
             return std::nullopt;
         }
+        side_ = "new side";
         auto prepared_changed = prepare(variants_.changed.get(cell.technique), cell, failed_in_changed_, reason);
         if (!prepared_changed) {
-            outcome_.unmeasured.push_back({cell.id, with_side("new side", reason), true});
+            outcome_.unmeasured.push_back({cell.id, with_side(side_, reason), true});
             return std::nullopt;
         }
         return ReadyPair{&cell.view, std::move(*prepared_base), std::move(*prepared_changed)};
@@ -175,9 +178,12 @@ private:
     std::optional<PreparedCell> prepare(const Technique& technique, const Cell& cell, FailedPreparations& failed,
                                         std::string& reason) {
         try {
+            const auto tell = [&](const std::string& what) { report(cell.id, fmt::format("{} ({})", what, side_)); };
             const LongPreparation long_preparation{
-                settings_.map_cache,
-                [&](const PreparationProgress& progress) { report(cell.id + ": " + describe(progress)); }, failed};
+                .map_cache = settings_.map_cache,
+                .on_progress = [&](const PreparationProgress& progress) { tell(describe(progress)); },
+                .failed = failed,
+                .on_stage = tell};
             PreparedOrSkipped prepared =
                 prepare_cell(device_, technique, cell, inputs_, configuration_, long_preparation);
             reason = prepared.skip_reason;
@@ -206,6 +212,8 @@ private:
             Subject* const base = add(ready[pair].base);
             pairs.push_back({base, add(ready[pair].changed)});
         }
+        stage_ = "sampling";
+        report(fmt::format("{} left", ready.size()));
         std::vector<std::string> failures(ready.size());
         const double begin_s = clock_.seconds();
         const PairCallbacks callbacks{
@@ -213,7 +221,7 @@ private:
             .on_failure = [&](std::size_t pair, const std::string& reason) { failures[pair] = reason; },
             .on_round =
                 [&](std::size_t undecided) {
-                    report(fmt::format("sampling, {} left", undecided), ready.size() - undecided,
+                    report(fmt::format("{} left", undecided), {}, ready.size() - undecided,
                            begin_s + settings_.budget_s - outcome_.sampling_s - clock_.seconds());
                 },
             .on_visit =
@@ -235,11 +243,13 @@ private:
         }
     }
 
-    void report(const std::string& current, std::size_t decided = 0, double remaining_s = -1) const {
+    void report(const std::string& current, const std::string& detail = {}, std::size_t decided = 0,
+                double remaining_s = -1) const {
         if (!callbacks_.on_progress) return;
         Progress progress;
         progress.cells_done = cells_done_ + decided;
         progress.cells_total = cells_.size();
+        progress.stage = detail.empty() ? stage_ : stage_ + ", " + detail;
         progress.current = current;
         progress.elapsed_s = clock_.seconds() - start_s_;
         progress.remaining_s = remaining_s;
@@ -259,6 +269,9 @@ private:
     FailedPreparations failed_in_changed_;
     VariantOutcome outcome_;
     std::size_t cells_done_ = 0;
+    /// What progress tells.
+    std::string stage_;
+    std::string side_;
 };
 
 }  // namespace

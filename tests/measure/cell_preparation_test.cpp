@@ -40,6 +40,29 @@ protected:
     static TechniqueLibrary shipped() { return find_techniques({default_technique_root()}); }
 };
 
+TEST_F(CellPreparation, TellsWhatItBegins) {
+    const TechniqueLibrary library = shipped();
+    const Json json = Json::parse(R"({"techniques": ["qdm"], "axes": {"heightmap": "rock", "heightmap_size": 16,
+        "resolution": 8}})");
+    const Configuration configuration = parse_configuration(json, "test", {}, library.manifests());
+    const Cell cell = expand(configuration, library.manifests()).front();
+    SharedInputs inputs(device(), configuration.lighting, configuration.truth);
+    FailedPreparations failed;
+    std::vector<std::string> stages;
+    const LongPreparation long_preparation{.failed = failed,
+                                           .on_stage = [&](const std::string& stage) { stages.push_back(stage); }};
+    const auto prepare_again = [&] {
+        stages.clear();
+        prepare_cell(device(), library.get("qdm"), cell, inputs, configuration, long_preparation);
+        return stages;
+    };
+    EXPECT_THAT(prepare_again(),
+                testing::ElementsAre("loading the height map", "compiling", "making its maps",
+                                     "drawing it once, counted", "tracing the truth", "comparing with the truth"));
+    EXPECT_THAT(prepare_again(), testing::ElementsAre("compiling", "making its maps", "drawing it once, counted",
+                                                      "comparing with the truth"));
+}
+
 TEST_F(CellPreparation, ACellOfUnconvergedPixelsNamesWhatCapsThem) {
     const CellResult capped = prepare(shipped(), "qdm", R"({"max_steps": 1})");
     EXPECT_EQ(capped.status, CellStatus::failed);

@@ -33,9 +33,10 @@ public:
 
     void begin_block(std::span<const std::size_t> /*cells*/) override {}
 
-    ReadyCell make_ready(std::size_t index, const std::function<void(const std::string&)>& /*on_progress*/) override {
+    ReadyCell make_ready(std::size_t index, const std::function<void(const std::string&)>& on_progress) override {
         const std::string& id = (*cells_)[index].id;
         made.push_back(id);
+        on_progress("compiling");
         ReadyCell ready{.index = index, .result = blank_result((*cells_)[index])};
         if (losing_at_once.contains(id)) {
             lost = true;
@@ -202,6 +203,22 @@ TEST_F(RunCells, TellsTheCellThatItIsOnAndThatItIsOnNone) {
     EXPECT_THAT(made, ElementsAre("cell 0", "cell 1"));
     EXPECT_EQ(told.back(), "");
     EXPECT_EQ(std::count(told.begin(), told.end(), "cell 0"), 4);  // made ready, warmed up, submitted, collected
+}
+
+TEST_F(RunCells, ProgressTellsWhatIsDoneAndHowMuchOfIt) {
+    configuration.sampling.rounds = 1;
+    const std::vector<Cell> cells = cells_of(3);
+    RunWriter writer(folder / "run", Json::object());
+    FakeCells source(cells);
+    std::vector<std::string> stages;
+    const auto watch = [&stages](const Progress& progress) {
+        if (stages.empty() || stages.back() != progress.stage) stages.push_back(progress.stage);
+    };
+    run_cells(source, configuration, cells, writer, watch);
+    EXPECT_EQ(stages, (std::vector<std::string>{"preparing 1 of 3", "preparing 1 of 3, compiling", "preparing 2 of 3",
+                                                "preparing 2 of 3, compiling", "preparing 3 of 3",
+                                                "preparing 3 of 3, compiling", "warming up 1 of 3", "warming up 2 of 3",
+                                                "warming up 3 of 3", "sampling"}));
 }
 
 #if !defined(__SANITIZE_ADDRESS__)
