@@ -2,12 +2,15 @@
 #include "cli/comparison_output.hpp"
 #include "cli/device_lock.hpp"
 #include "cli/duration.hpp"
+#include "cli/output_file.hpp"
 #include "cli/progress_printer.hpp"
 #include "cli/quality_choice.hpp"
+#include "cli/read_maps.hpp"
 #include "cli/run_sources.hpp"
 #include "cli/shared_options.hpp"
 #include "cli/threshold.hpp"
 #include "cli/variant_comparison.hpp"
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/scratch_folder.hpp"
@@ -20,10 +23,10 @@
 #include "store/line_file.hpp"
 #include "technique/baseline_sources.hpp"
 #include "technique/map_cache.hpp"
+#include "technique/source_identity.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include "technique/source_identity.hpp"
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -42,8 +45,7 @@ struct AbOptions {
     std::string threshold = "1%";
     std::string budget = "5m";
     std::string output_folder;
-    std::vector<std::string> axes;
-    std::vector<std::string> filters;
+    CellChoice cells;
     TechniqueOptions library;
     DeviceChoice device;
     DeviceSharing sharing;
@@ -57,6 +59,13 @@ TechniqueSources own_sources(const RunSources& sources) {
     return own;
 }
 
+bool takes_place_of_shipped(const Technique& technique) {
+    const std::filesystem::path shipped = default_technique_root() / technique.manifest.id;
+    std::error_code ignored;
+    return std::filesystem::exists(shipped / "technique.json", ignored) &&
+           !std::filesystem::equivalent(technique.folder, shipped, ignored);
+}
+
 /// What the reader must know of the two sides before any figure.
 std::vector<std::string> notices_on(const TechniqueLibrary& base, const TechniqueLibrary& changed,
                                     const VariantOutcome& outcome, const TechniqueSources& baseline) {
@@ -68,9 +77,15 @@ std::vector<std::string> notices_on(const TechniqueLibrary& base, const Techniqu
             "the shared shaders (harness/shaders) differ between the sides, and each side is compiled with its own");
     }
     std::set<std::string> unchanged;
+    std::set<std::string> replaced;
     for (const MeasuredPair& pair : outcome.measured) {
         const std::string& id = pair.changed.technique;
         if (same_shaders && base.get(id).hash == changed.get(id).hash) unchanged.insert(id);
+        if (takes_place_of_shipped(changed.get(id))) replaced.insert(changed.get(id).folder.string());
+    }
+    if (!replaced.empty()) {
+        notices.push_back(fmt::format("the new side has these in place of the shipped ones: {}",
+                                      join(std::vector<std::string>(replaced.begin(), replaced.end()))));
     }
     if (!unchanged.empty()) {
         notices.push_back(fmt::format("the sources are the same on both sides: {}",
@@ -119,24 +134,27 @@ ExitCode compare_live(const AbOptions& options) {
     settings.map_cache = map_cache_folder();
     settings.budget_s = parse_duration(options.budget, "--budget");
     options.output.check();
+    refuse_standard_output(options.output_folder, "it is a folder; the comparison goes to standard output anyway");
     const std::vector<DecidingFigure> deciding = options.quality.deciding_figures();
-    const RunSources sources = read_run_sources(options.configuration, options.axes, options.filters, options.library);
+    const RunSources sources =
+        read_run_sources(read_configuration_text(options.configuration), options.cells, options.library);
     settings.seed = sources.configuration.seed;
     const ScratchFolder scratch;
     const TechniqueSources own = own_sources(sources);
     const TechniqueSources baseline = find_baseline(options.baseline, own, scratch.path());
-    const TechniqueLibrary base = find_techniques(baseline.roots, baseline.shaders);
+    const TechniqueLibrary base = find_techniques(baseline.roots, baseline.shaders, SameId::last_wins);
 
     std::optional<LineFile> evidence;
     if (!options.output_folder.empty())
         evidence.emplace(make_output_folder(options.output_folder) / "pairs.jsonl", LineFile::Start::created);
 
-    const std::vector<HeightMapRecord> maps = inspect_height_maps(sources.cells);
+    const std::vector<HeightMapRecord> maps = read_maps(sources.cells);
     const gpu::Device device(options.device.options);
     const std::optional<DeviceLock> lock = options.sharing.lock(device.info());
     const Json record =
         make_run_record({sources.configuration, sources.library, sources.cells, maps, device, options.sharing.share});
-    fmt::print(stderr, "{} cells on {}, base: {}\n", sources.cells.size(), device.info().name, baseline.description);
+    fmt::print(stderr, "{} on {}, base: {}\n", counted(sources.cells.size(), "cell"), device.info().name,
+               baseline.description);
     VariantOutcome outcome;
     {
         ProgressPrinter printer;
@@ -168,14 +186,19 @@ ExitCode compare_live(const AbOptions& options) {
 
 void add_ab_command(CLI::App& app, ChosenCommand& chosen) {
     const auto options = std::make_shared<AbOptions>();
+    options->library.same_id = SameId::last_wins;
     CLI::App* command = app.add_subcommand("ab", "Compare two versions of the shaders live, interleaved");
-    command->add_option("configuration", options->configuration, "A configuration, or the run.json of an earlier run")
+    command
+        ->add_option("configuration", options->configuration,
+                     "A configuration, or the run.json of an earlier run, - for standard input")
         ->required()
         ->type_name("CONFIG");
     command
-        ->add_option("--baseline", options->baseline,
-                     "What the techniques and shared shaders of the work tree are compared with: a checkout, a folder "
-                     "of technique folders, or a git revision")
+        ->add_option(
+            "--baseline", options->baseline,
+            "What the techniques and shared shaders of the work tree are compared with: a checkout, a folder "
+            "of technique folders, or a git revision. With --techniques, those of its techniques that have the "
+            "id of a shipped one take its place")
         ->required()
         ->type_name("DIR|REVISION");
     command->add_option("--threshold", options->threshold, "The least change that counts; default: 1%")
@@ -184,11 +207,7 @@ void add_ab_command(CLI::App& app, ChosenCommand& chosen) {
         ->add_option("--budget", options->budget,
                      "Time for sampling, for all cells together: 90s, 5m, 1h; preparing them comes on top; default: 5m")
         ->type_name("TIME");
-    add_repeated_option(*command, "-a,--axis", options->axes,
-                        "Values of an axis or parameter in place of the configuration's (may be repeated)")
-        ->type_name("NAME=VALUES");
-    add_repeated_option(*command, "--filter", options->filters, "Keep only cells that fulfil this (may be repeated)")
-        ->type_name("EXPR");
+    options->cells.add_to(*command);
     command
         ->add_option("-o,--output", options->output_folder,
                      "Folder to keep the comparison (comparison.json) and every raw sample (pairs.jsonl) in")
@@ -202,7 +221,8 @@ void add_ab_command(CLI::App& app, ChosenCommand& chosen) {
         "The comparison goes to standard output, progress to standard error. Exit codes: 0 nothing slower or worse;\n"
         "1 a cell slower, or its quality worse or mixed (--accept-mixed lets that pass); 3 some undecided; 4 a cell "
         "failed that the baseline could draw.\n"
-        "Example: reliefbench ab configs/quick.json --baseline HEAD~1 --filter technique=pom --budget 2m\n");
+        "Example: reliefbench ab configs/quick.json --baseline HEAD~1 --filter technique=pom --budget 2m\n"
+        "Example: reliefbench ab configs/quick.json --techniques mine --baseline techniques --filter technique=pom\n");
     command->callback([&chosen, options] { chosen = [options] { return compare_live(*options); }; });
 }
 

@@ -27,8 +27,8 @@ namespace {
 
 struct BenchOptions {
     std::string configuration;
-    std::vector<std::string> axes;
-    std::vector<std::string> filters;
+    CellChoice cells;
+    SamplingChoice sampling;
     TechniqueOptions library;
     DeviceChoice device;
     DeviceSharing sharing;
@@ -183,7 +183,8 @@ void add_context(const gpu::DeviceInfo& device, bool shares_device) {
 ExitCode bench(const BenchOptions& options) {
     const std::string configuration =
         options.configuration.empty() ? (configuration_root() / "quick.json").string() : options.configuration;
-    const RunSources sources = read_run_sources(configuration, options.axes, options.filters, options.library);
+    RunSources sources = read_run_sources(read_configuration_text(configuration), options.cells, options.library);
+    set_sampling(sources.configuration, options.sampling.settings);
     initialize_google_benchmark(options.flags);
 
     const bool only_list = is_set(options.flags, "list_tests");
@@ -228,16 +229,11 @@ void add_bench_command(CLI::App& app, ChosenCommand& chosen) {
     CLI::App* command = app.add_subcommand("bench", "Measure cells as Google Benchmarks, with all of its flags");
     command
         ->add_option("--config", options->configuration,
-                     "A configuration, or the run.json of an earlier run; default: the shipped configs/quick.json")
+                     "A configuration, or the run.json of an earlier run, - for standard input; default: the shipped "
+                     "configs/quick.json")
         ->type_name("CONFIG");
-    add_repeated_option(*command, "-a,--axis", options->axes,
-                        "Values of an axis or parameter in place of the configuration's: name=v1,v2 or "
-                        "name=[start:stop:step] (may be repeated)")
-        ->type_name("NAME=VALUES");
-    add_repeated_option(*command, "--filter", options->filters,
-                        "Keep only cells that fulfil this: technique=pom,qdm, view_angle>=60 (may be repeated; all "
-                        "must hold)")
-        ->type_name("EXPR");
+    options->cells.add_to(*command);
+    options->sampling.add_to(*command);
     options->library.add_to(*command);
     options->device.add_to(*command);
     options->sharing.add_to(*command);

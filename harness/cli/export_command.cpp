@@ -1,7 +1,5 @@
 #include "cli/command.hpp"
-#include "cli/export_target.hpp"
-#include "cli/results.hpp"
-#include "core/file.hpp"
+#include "cli/output_file.hpp"
 #include "core/suggest.hpp"
 #include "report/export.hpp"
 
@@ -16,17 +14,12 @@ namespace {
 struct ExportOptions {
     std::string run;
     std::string format;
-    std::string output;
+    std::string output = "-";
 };
 
 ExitCode export_stored(const ExportOptions& options) {
-    if (!options.output.empty()) check_export_file(options.output, "--output");
-    const std::string text = export_run(options.run, parse_export_format(options.format));
-    if (options.output.empty()) {
-        print_results(text);
-    } else {
-        write_text_file(options.output, text);
-    }
+    check_output_file(options.output, "--output");
+    write_output(options.output, export_run(options.run, parse_export_format(options.format)));
     return ExitCode::done;
 }
 
@@ -42,7 +35,7 @@ void add_export_command(CLI::App& app, ChosenCommand& chosen) {
                      "row per cell) or markdown (quality against cost)")
         ->required()
         ->type_name(join(export_format_names(), "|"));
-    command->add_option("-o,--output", options->output, "File to write or replace; default: standard output")
+    command->add_option("-o,--output", options->output, "File to write or replace; default: -, standard output")
         ->type_name("FILE");
     command->footer("Example: reliefbench export results/mine --format csv -o mine.csv\n");
     command->callback([&chosen, options] { chosen = [options] { return export_stored(*options); }; });

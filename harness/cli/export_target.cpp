@@ -1,22 +1,12 @@
 #include "cli/export_target.hpp"
 
+#include "cli/output_file.hpp"
 #include "core/error.hpp"
-#include "core/file.hpp"
 #include "core/suggest.hpp"
 
-namespace reliefbench {
+#include <algorithm>
 
-void check_export_file(const std::filesystem::path& file, const std::string& option) {
-    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    std::error_code ignored;
-    if (!std::filesystem::is_directory(folder, ignored)) {
-        fail("{}: there is no folder {} to write {} into; make it first", option, folder.string(),
-             file.filename().string());
-    }
-    if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) {
-        fail("{}: {} is no regular file; name another", option, file.string());
-    }
-}
+namespace reliefbench {
 
 std::vector<ExportTarget> parse_export_targets(const std::vector<std::string>& texts) {
     std::vector<ExportTarget> targets;
@@ -27,15 +17,23 @@ std::vector<ExportTarget> parse_export_targets(const std::vector<std::string>& t
                  join(export_format_names()));
         }
         const ExportTarget target{parse_export_format(text.substr(0, equals)), text.substr(equals + 1)};
-        check_export_file(target.file, "--export");
+        check_output_file(target.file, "--export");
+        if (is_standard_output(target.file) && take_standard_output(targets)) {
+            fail("--export {}: standard output has another export already", text);
+        }
         targets.push_back(target);
     }
     return targets;
 }
 
+bool take_standard_output(const std::vector<ExportTarget>& targets) {
+    return std::any_of(targets.begin(), targets.end(),
+                       [](const ExportTarget& target) { return is_standard_output(target.file); });
+}
+
 void write_exports(const std::filesystem::path& folder, const std::vector<ExportTarget>& targets) {
     for (const ExportTarget& target : targets) {
-        write_text_file(target.file, export_run(folder, target.format));
+        write_output(target.file, export_run(folder, target.format));
     }
 }
 

@@ -7,6 +7,7 @@
 #include "scene/image_file.hpp"
 #include "scene/procedural.hpp"
 #include "store/figures.hpp"
+#include "sweep/view_axes.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -32,88 +33,133 @@ std::string allowed_values(const Parameter& parameter) {
     return {};
 }
 
-void print_technique(const Technique& technique) {
+std::string technique_lines(const Technique& technique) {
     const Manifest& manifest = technique.manifest;
-    fmt::print("{:<14} {} ({})\n", manifest.id, manifest.title, manifest.kind);
+    std::string lines = fmt::format("{:<14} {} ({})\n", manifest.id, manifest.title, manifest.kind);
     for (const Parameter& parameter : manifest.parameters) {
         const bool is_sample_count = manifest.sample_count == parameter.name;
-        fmt::print("    {:<18} {:<12} {:<24} {}{}\n", parameter.name, to_string(parameter.default_value),
-                   allowed_values(parameter), parameter.help, is_sample_count ? " [the axis sample_count]" : "");
+        lines +=
+            fmt::format("    {:<18} {:<12} {:<24} {}{}\n", parameter.name, to_string(parameter.default_value),
+                        allowed_values(parameter), parameter.help, is_sample_count ? " [the axis sample_count]" : "");
     }
     std::vector<std::string> promises;
     for (const PromiseDeclaration& declaration : manifest.promises) {
         promises.push_back(to_string(declaration.promise));
     }
-    if (!promises.empty()) fmt::print("    promises: {}\n", join(promises));
+    if (!promises.empty()) lines += fmt::format("    promises: {}\n", join(promises));
+    return lines;
 }
 
 ExitCode list_techniques(const TechniqueOptions& options) {
     const TechniqueLibrary library = options.find();
     for (const Technique& technique : library.techniques) {
-        print_technique(technique);
+        print_results(technique_lines(technique));
     }
     for (const auto& [id, message] : library.broken) {
-        fmt::print("{:<14} cannot be used: {}\n", id, message);
+        print_results(fmt::format("{:<14} cannot be used: {}\n", id, message));
     }
     return ExitCode::done;
 }
 
 ExitCode list_devices() {
     for (const gpu::DeviceInfo& device : gpu::list_devices()) {
-        fmt::print("{}  {} ({}, {} {}, Vulkan {}){}\n", device.index, device.name, to_string(device.type),
-                   device.driver, device.driver_version, device.api_version,
-                   device.unusable_reason.empty() ? "" : ": cannot be used: " + device.unusable_reason);
+        print_results(fmt::format("{}  {} ({}, {} {}, Vulkan {}){}\n", device.index, device.name,
+                                  to_string(device.type), device.driver, device.driver_version, device.api_version,
+                                  device.unusable_reason.empty() ? "" : ": cannot be used: " + device.unusable_reason));
     }
     return ExitCode::done;
 }
 
 ExitCode list_height_maps() {
     for (const ProceduralMap& map : procedural_maps()) {
-        fmt::print("{:<12} {}\n", map.name, map.description);
+        print_results(fmt::format("{:<12} {}\n", map.name, map.description));
     }
-    fmt::print("or the path of {}\n", readable_images());
+    print_results(fmt::format("or the path of {}\n", readable_images()));
     return ExitCode::done;
 }
 
-std::string figures_as_table() {
-    constexpr std::string_view no_unit = "-";
-    std::size_t path_width = 0;
-    std::size_t unit_width = 0;
-    for (const FigureDeclaration& figure : figures()) {
-        path_width = std::max(path_width, text_width(figure.path));
-        unit_width = std::max(unit_width, text_width(figure.unit));
+constexpr std::string_view nothing_there = "-";
+
+/// Columns as wide as their widest text, which is `nothing_there` where it is empty.
+std::string columns_text(std::vector<std::vector<std::string>> rows) {
+    std::vector<std::size_t> widths;
+    for (std::vector<std::string>& row : rows) {
+        widths.resize(row.size());
+        for (std::size_t column = 0; column < row.size(); ++column) {
+            if (row[column].empty()) row[column] = nothing_there;
+            widths[column] = std::max(widths[column], text_width(row[column]));
+        }
     }
-    const std::size_t better_width = text_width(to_string(Better::neither));
     std::string text;
-    for (const FigureDeclaration& figure : figures()) {
-        text += fmt::format("{}  {}  {}  {}\n", pad_right(figure.path, path_width),
-                            pad_right(figure.unit.empty() ? no_unit : figure.unit, unit_width),
-                            pad_right(to_string(figure.better), better_width), figure.label);
+    for (const std::vector<std::string>& row : rows) {
+        for (std::size_t column = 0; column + 1 < row.size(); ++column)
+            text += pad_right(row[column], widths[column]) + "  ";
+        text += row.back() + '\n';
     }
     return text;
 }
 
-/// One figure a line.
-std::string figures_as_json() {
+/// One entry a line.
+std::string lines_of_json(const Json& entries) {
     std::vector<std::string> lines;
-    for (const Json& figure : figures_to_json()) {
-        lines.push_back("  " + figure.dump());
-    }
+    for (const Json& entry : entries)
+        lines.push_back("  " + entry.dump());
     return "[\n" + join(lines, ",\n") + "\n]\n";
 }
 
-const std::vector<std::string>& figure_format_names() {
+const std::vector<std::string>& list_format_names() {
     static const std::vector<std::string> names = {"table", "json"};
     return names;
 }
 
-ExitCode list_figures(const std::string& format) {
-    const std::vector<std::string>& names = figure_format_names();
+bool is_json(const std::string& format) {
+    const std::vector<std::string>& names = list_format_names();
     if (std::find(names.begin(), names.end(), format) == names.end()) {
         fail("--format: there is no '{}'{}; the formats are {}", format, did_you_mean(format, names), join(names));
     }
-    print_results(format == "json" ? figures_as_json() : figures_as_table());
+    return format == "json";
+}
+
+ExitCode list_figures(const std::string& format) {
+    if (is_json(format)) {
+        print_results(lines_of_json(figures_to_json()));
+        return ExitCode::done;
+    }
+    std::vector<std::vector<std::string>> rows;
+    for (const FigureDeclaration& figure : figures())
+        rows.push_back({std::string(figure.path), std::string(figure.unit), std::string(to_string(figure.better)),
+                        std::string(figure.label)});
+    print_results(columns_text(std::move(rows)));
     return ExitCode::done;
+}
+
+ExitCode list_axes(const std::string& format) {
+    const Json axes = axis_list_json();
+    if (is_json(format)) {
+        print_results(lines_of_json(axes));
+        return ExitCode::done;
+    }
+    std::vector<std::vector<std::string>> rows;
+    for (const Json& axis : axes) {
+        const Json& usual = axis.at("default");
+        const auto text = [&axis](const char* key) { return axis.at(key).get<std::string>(); };
+        rows.push_back({text("axis"), text("unit"), usual.is_null() ? "" : scalar_text(usual), text("values"),
+                        text("description")});
+    }
+    print_results(columns_text(std::move(rows)) +
+                  "and every parameter of a technique, and `technique` itself: see `list techniques`\n");
+    return ExitCode::done;
+}
+
+/// A list of its own with `--format`.
+void add_formatted_list(CLI::App& list, ChosenCommand& chosen, const std::string& name, const std::string& help,
+                        ExitCode (*print)(const std::string& format)) {
+    CLI::App* command = list.add_subcommand(name, help);
+    const auto format = std::make_shared<std::string>("table");
+    command->add_option("--format", *format, "How to write the list; default: table")
+        ->type_name(join(list_format_names(), "|"));
+    command->footer("Example: reliefbench list " + name + "\n");
+    command->callback([&chosen, format, print] { chosen = [format, print] { return print(*format); }; });
 }
 
 }  // namespace
@@ -138,13 +184,9 @@ void add_list_command(CLI::App& app, ChosenCommand& chosen) {
     height_maps->footer("Example: reliefbench list heightmaps\n");
     height_maps->callback([&chosen] { chosen = list_height_maps; });
 
-    CLI::App* listed_figures =
-        list->add_subcommand("figures", "Figures of a cell: name in its files, unit, which way is better, label");
-    const auto format = std::make_shared<std::string>("table");
-    listed_figures->add_option("--format", *format, "How to write the list; default: table")
-        ->type_name(join(figure_format_names(), "|"));
-    listed_figures->footer("Example: reliefbench list figures\n");
-    listed_figures->callback([&chosen, format] { chosen = [format] { return list_figures(*format); }; });
+    add_formatted_list(*list, chosen, "axes", "Axes of a sweep: name, unit, default, values, meaning", list_axes);
+    add_formatted_list(*list, chosen, "figures",
+                       "Figures of a cell: name in its files, unit, which way is better, label", list_figures);
 }
 
 }  // namespace reliefbench

@@ -1,5 +1,6 @@
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/results.hpp"
 #include "cli/run_sides.hpp"
 #include "core/error.hpp"
 #include "core/suggest.hpp"
@@ -10,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -107,7 +109,13 @@ int main(int argc, char** argv) {
             fmt::print(stderr, "reliefbench: {}; see `reliefbench --help`\n", usage_complaint(app, error));
             return static_cast<int>(ExitCode::bad_input);
         }
-        return app.exit(error);
+        chosen = [&app, &error] {
+            std::ostringstream help;
+            app.exit(error, help, help);
+            print_results(help.str());
+            return ExitCode::done;
+        };
+        return static_cast<int>(execute(chosen));
     }
     return static_cast<int>(execute(chosen));
 }

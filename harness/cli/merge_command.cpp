@@ -1,7 +1,9 @@
 #include "cli/command.hpp"
+#include "cli/output_file.hpp"
 #include "cli/results.hpp"
 #include "cli/run_sources.hpp"
 #include "cli/terminal.hpp"
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/suggest.hpp"
@@ -30,7 +32,7 @@ struct MergeOptions {
 std::vector<PlannedCell> planned_cells(const std::vector<NamedRun>& shards) {
     try {
         const std::string record = (std::filesystem::path(shards.front().name) / "run.json").string();
-        const RunSources sources = read_run_sources(record, {}, {}, {});
+        const RunSources sources = read_run_sources(read_configuration_text(record), {}, {});
         for (const NamedRun& run : shards) {
             for (const auto& [id, hash] : run.run.run.at("techniques").items()) {
                 if (sources.library.get(id).hash != hash) fail("the technique '{}' has changed since", id);
@@ -62,6 +64,7 @@ std::string missing_text(std::vector<std::string> missing) {
 }
 
 ExitCode merge(const MergeOptions& options) {
+    refuse_standard_output(options.output, "a run is a folder; its table goes to standard output anyway");
     std::vector<NamedRun> shards;
     for (const std::string& folder : options.folders)
         shards.push_back({folder, read_run(folder)});
@@ -75,8 +78,8 @@ ExitCode merge(const MergeOptions& options) {
     RunWriter writer(options.output, merged.run.run);
     for (const std::string& folder : options.folders)
         writer.append_recorded(folder);
-    fmt::print(stderr, "{} cells of {} shards in {}\n", merged.run.cells.size(), options.folders.size(),
-               options.output);
+    fmt::print(stderr, "{} of {} in {}\n", counted(merged.run.cells.size(), "cell"),
+               counted(options.folders.size(), "shard"), options.output);
     print_results(
         format_run(merged.run, RunFormat::table, {.columns = std::min(table_columns(), TableStyle().columns)}));
     return ExitCode::done;

@@ -1,10 +1,15 @@
 #include "cli/cell_drawing.hpp"
 #include "cli/command.hpp"
 #include "cli/contact_sheet.hpp"
+#include "cli/output_file.hpp"
 #include "cli/progress_printer.hpp"
 #include "cli/render_options.hpp"
+#include "cli/results.hpp"
+#include "core/counted.hpp"
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/log.hpp"
+#include "core/scratch_folder.hpp"
 #include "measure/cell_figures.hpp"
 #include "measure/cell_preparation.hpp"
 #include "measure/clock.hpp"
@@ -57,20 +62,21 @@ void print_summary(const Cell& cell, const DrawnCell& drawn, const std::optional
     const ImageComparison image = image_errors_of(drawn);
     fmt::print(stderr, "{}\n", cell.id);
     if (const std::optional<CellResult::Work> work = summarize_work(drawn.probe)) {
-        fmt::print(stderr,
-                   "{} pixels covered; per pixel {:.2f} taps (p95 {:.0f}), {:.2f} steps; {:.3f} % unconverged\n",
-                   work->covered_pixels, work->taps_mean, work->taps_p95, work->steps_mean, 100 * work->unconverged);
+        fmt::print(stderr, "{} covered; per pixel {:.2f} taps (p95 {:.0f}), {:.2f} steps; {:.3f} % unconverged\n",
+                   counted(work->covered_pixels, "pixel"), work->taps_mean, work->taps_p95, work->steps_mean,
+                   100 * work->unconverged);
     } else {
         fmt::print(stderr, "no pixel covered\n");
     }
     fmt::print(stderr, "{}", format_summary("UV error, texels", errors.uv_texels));
     fmt::print(stderr, "{}", format_summary("depth error", errors.depth));
     fmt::print(stderr, "{}", format_summary("normal error, degrees", errors.normal_deg));
-    fmt::print(stderr, "missed {:.3f} %, false hits {:.3f} %, ties {:.3f} % of {} pixels; coverage IoU {:.5f}\n",
-               100 * errors.missed, 100 * errors.false_hits, 100 * errors.ties, errors.footprint, errors.coverage_iou);
+    fmt::print(stderr, "missed {:.3f} %, false hits {:.3f} %, ties {:.3f} % of {}; coverage IoU {:.5f}\n",
+               100 * errors.missed, 100 * errors.false_hits, 100 * errors.ties, counted(errors.footprint, "pixel"),
+               errors.coverage_iou);
     if (errors.outside_quad_covered) {
-        fmt::print(stderr, "outside the quad: {} pixels of relief, {:.1f} % of them drawn\n",
-                   errors.outside_quad_pixels, 100 * *errors.outside_quad_covered);
+        fmt::print(stderr, "outside the quad: {} of relief, {:.1f} % of them drawn\n",
+                   counted(errors.outside_quad_pixels, "pixel"), 100 * *errors.outside_quad_covered);
     }
     print_image_errors("picture, over the footprint", image.footprint);
     print_image_errors("picture, with what lies beyond the quad", image.whole);
@@ -88,9 +94,21 @@ Picture draw_pictures(const std::vector<Shown>& shown, const DrawnCell& drawn) {
     return draw_sheet(sheet, font);
 }
 
+/// To standard output as a PNG.
+void write_picture(const std::filesystem::path& path, const RasterFile& raster) {
+    if (!is_standard_output(path)) {
+        write_raster_file(path, raster);
+        return;
+    }
+    const ScratchFolder scratch;
+    const std::filesystem::path file = scratch.path() / "picture.png";
+    write_raster_file(file, raster);
+    print_results(read_text_file(file));
+}
+
 void write_cell(const std::filesystem::path& path, OutputKind kind, const std::vector<Shown>& shown,
                 const DrawnCell& drawn) {
-    write_raster_file(path, kind == OutputKind::layers ? layers(drawn) : to_raster(draw_pictures(shown, drawn)));
+    write_picture(path, kind == OutputKind::layers ? layers(drawn) : to_raster(draw_pictures(shown, drawn)));
 }
 
 void warn_of_constant_maps(const std::vector<Cell>& cells) {
@@ -103,8 +121,8 @@ ExitCode draw_contact_sheet(const RenderOptions& options, const std::vector<Cell
     const Font font;
     std::size_t failures = 0;
     const Sheet sheet = make_contact_sheet(cells, shown_by(options), drawing, font, failures);
-    write_raster_file(options.output, to_raster(draw_sheet(sheet, font)));
-    fmt::print(stderr, "{}: {} rows\n", options.output, cells.size());
+    write_picture(options.output, to_raster(draw_sheet(sheet, font)));
+    fmt::print(stderr, "{}: {}\n", options.output, counted(cells.size(), "row"));
     return failures == 0 ? ExitCode::done : ExitCode::cells_failed;
 }
 
@@ -212,7 +230,8 @@ void add_render_command(CLI::App& app, ChosenCommand& chosen) {
             "--object", options->object,
             R"(A solid that stands in the relief, as in a configuration: '{"shape": "sphere", "radius": 0.2}')")
         ->type_name("JSON");
-    command->add_option("-o,--output", options->output, "The file to write, .png or .exr")
+    command
+        ->add_option("-o,--output", options->output, "The file to write, .png or .exr; - is a PNG on standard output")
         ->required()
         ->type_name("FILE");
     options->library.add_to(*command);

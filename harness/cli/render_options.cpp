@@ -1,7 +1,9 @@
 #include "cli/render_options.hpp"
 
+#include "cli/output_file.hpp"
 #include "core/error.hpp"
 #include "core/json.hpp"
+#include "core/split.hpp"
 #include "core/suggest.hpp"
 #include "manifest/parameter_json.hpp"
 #include "sweep/configuration.hpp"
@@ -9,6 +11,8 @@
 #include "sweep/settings.hpp"
 
 #include <fmt/format.h>
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <utility>
@@ -75,9 +79,9 @@ Json selections(const std::vector<const Manifest*>& manifests, const std::vector
 std::vector<const Manifest*> chosen_techniques(const RenderOptions& options, const TechniqueLibrary& library) {
     std::vector<const Manifest*> chosen;
     for (const std::string& argument : options.techniques) {
-        for (const std::string& id : split_list(argument)) {
-            chosen.push_back(&library.get(id).manifest);
-        }
+        const std::string option = "--technique " + argument;
+        for (const Json& id : parse_values("technique", argument, option))
+            chosen.push_back(&library.get(JsonView(id, option).string()).manifest);
     }
     if (chosen.empty() && options.contact_sheet) {
         for (const Technique& technique : library.techniques) {
@@ -96,6 +100,10 @@ std::vector<const Manifest*> chosen_techniques(const RenderOptions& options, con
 std::vector<std::string> overrides_of(const RenderOptions& options) {
     std::vector<std::string> overrides = options.axes;
     if (options.animation.empty()) return overrides;
+    if (is_standard_output(options.output)) {
+        fail("--animate {}: an animation is many files, but '-' is standard output; give a file name such as turn.png",
+             options.animation);
+    }
     if (options.contact_sheet) fail("--animate and --contact-sheet exclude each other: make one sheet per call");
     const Override animated = parse_override(options.animation);
     if (animated.name == "resolution") {
@@ -144,7 +152,7 @@ std::vector<Shown> shown_by(const RenderOptions& options) {
     const char* const usual = options.contact_sheet ? "truth,picture,uv_error,flip,taps" : "picture,truth,uv_error";
     const std::string list = options.show.empty() ? usual : options.show;
     std::vector<Shown> shown;
-    for (const std::string& name : split_list(list)) {
+    for (const std::string& name : split(list, ',')) {
         const std::vector<std::string> names = names_to_show();
         if (std::find(names.begin(), names.end(), name) == names.end()) {
             fail("--show {}: there is no '{}'{}; there are {}", list, name, did_you_mean(name, names), join(names));
@@ -162,9 +170,21 @@ std::vector<Shown> shown_by(const RenderOptions& options) {
 
 OutputKind check_output(const std::string& path) {
     const std::filesystem::path file(path);
+    if (is_standard_output(file)) {
+        if (isatty(STDOUT_FILENO) == 1) {
+            fail(
+                "cannot render to '{}': standard output is a terminal; send it into a file or a program, or name a "
+                "file",
+                path);
+        }
+        return OutputKind::picture;
+    }
     const std::string extension = file.extension().string();
     if (extension != ".png" && extension != ".exr") {
-        fail("cannot render to '{}': give a file name that ends in .png (pictures) or .exr (float layers)", path);
+        fail(
+            "cannot render to '{}': give a file name that ends in .png (pictures) or .exr (float layers), or - for a "
+            "picture on standard output",
+            path);
     }
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
     std::error_code ignored;

@@ -1,6 +1,6 @@
 #include "cli/command.hpp"
 #include "cli/comparison_choice.hpp"
-#include "cli/export_target.hpp"
+#include "cli/output_file.hpp"
 #include "cli/recorded_noise.hpp"
 #include "cli/report_page.hpp"
 #include "cli/report_pictures.hpp"
@@ -8,8 +8,8 @@
 #include "cli/run_sides.hpp"
 #include "cli/stored_runs.hpp"
 #include "compare/compare_runs.hpp"
+#include "core/counted.hpp"
 #include "core/error.hpp"
-#include "core/file.hpp"
 #include "core/log.hpp"
 
 #include <CLI/CLI.hpp>
@@ -60,7 +60,7 @@ PageComparison compare_sides(const std::vector<StoredRun>& runs, std::size_t bas
 }
 
 ExitCode report(const ReportOptions& options) {
-    check_export_file(options.output, "--output");
+    check_output_file(options.output, "--output");
     const CompareOptions compare_options = options.comparison.options();
     const std::string page = read_report_page();
 
@@ -80,12 +80,14 @@ ExitCode report(const ReportOptions& options) {
         runs.push_back(
             {run, read_run_summary(run.name), read_run_samples(run.name), collect_pictures(run, room, pictures)});
         if (const std::size_t left_out = runs.back().pictures.left_out; left_out > 0) {
-            log_warning("{}: the pictures of {} cells do not fit into {:g} MB; --picture-megabytes makes room",
-                        run.name, left_out, options.picture_megabytes);
+            log_warning("{}: the pictures of {} do not fit into {:g} MB; --picture-megabytes makes room", run.name,
+                        counted(left_out, "cell"), options.picture_megabytes);
         }
     }
-    write_text_file(options.output, fill_page(page, page_data(runs, pictures.json(), comparison, RELIEFBENCH_VERSION)));
-    print_results(fmt::format("report: {} (open it in a browser)\n", options.output));
+    write_output(options.output, fill_page(page, page_data(runs, pictures.json(), comparison, RELIEFBENCH_VERSION)));
+    if (!is_standard_output(options.output)) {
+        print_results(fmt::format("report: {} (open it in a browser)\n", options.output));
+    }
     return ExitCode::done;
 }
 
@@ -98,7 +100,9 @@ void add_report_command(CLI::App& app, ChosenCommand& chosen) {
     command->add_option("runs", options->folders, "Folders of runs; with two the page says what changed")
         ->required()
         ->type_name("RUN... [-- NEW...]");
-    command->add_option("-o,--output", options->output, "The file to write or replace")->required()->type_name("FILE");
+    command->add_option("-o,--output", options->output, "The file to write or replace; - is standard output")
+        ->required()
+        ->type_name("FILE");
     options->comparison.add_to(*command);
     command
         ->add_option("--picture-megabytes", options->picture_megabytes,

@@ -1,11 +1,16 @@
 #include "cli/colour_choice.hpp"
 #include "cli/command.hpp"
+#include "cli/configuration_text.hpp"
 #include "cli/device_lock.hpp"
 #include "cli/duration.hpp"
+#include "cli/export_target.hpp"
+#include "cli/output_file.hpp"
+#include "cli/results.hpp"
 #include "cli/run_worker.hpp"
 #include "cli/shard_choice.hpp"
 #include "cli/shared_options.hpp"
 #include "cli/supervisor.hpp"
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/suggest.hpp"
 #include "measure/shared_inputs.hpp"
@@ -17,9 +22,12 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <ctime>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace reliefbench {
 
@@ -30,8 +38,8 @@ struct RunOptions {
     std::string output;
     /// Empty, "plain" or "force".
     std::string resume;
-    std::vector<std::string> axes;
-    std::vector<std::string> filters;
+    CellChoice cells;
+    SamplingChoice sampling;
     std::vector<std::string> exports;
     std::string format = run_format_names().front();
     std::string shard;
@@ -48,30 +56,48 @@ struct RunOptions {
 ExitCode print_plan(const std::vector<Cell>& cells) {
     const std::vector<Block> blocks = make_blocks(cells);
     std::size_t measured = 0;
+    std::string plan;
     for (std::size_t block = 0; block < blocks.size(); ++block) {
-        fmt::print("block {} of {}:\n", block + 1, blocks.size());
+        plan += fmt::format("block {} of {}:\n", block + 1, blocks.size());
         for (std::size_t index : blocks[block].cells) {
-            fmt::print("  {}\n", cells[index].id);
+            plan += fmt::format("  {}\n", cells[index].id);
         }
         measured += blocks[block].cells.size();
     }
-    if (measured < cells.size()) fmt::print("skipped:\n");
+    if (measured < cells.size()) plan += "skipped:\n";
     for (const Cell& cell : cells) {
-        if (!cell.skip_reason.empty()) fmt::print("  {}: {}\n", cell.id, cell.skip_reason);
+        if (!cell.skip_reason.empty()) plan += fmt::format("  {}: {}\n", cell.id, cell.skip_reason);
     }
-    fmt::print("{} cells in {} blocks, {} skipped\n", measured, blocks.size(), cells.size() - measured);
+    print_results(plan + fmt::format("{} in {}, {} skipped\n", counted(measured, "cell"),
+                                     counted(blocks.size(), "block"), cells.size() - measured));
     return ExitCode::done;
+}
+
+/// The name of a configuration, whoever wrote it, as the beginning of a folder's: it leads nowhere else, shows in
+/// listings, and has room for what follows it.
+std::string folder_name(const std::string& name) {
+    constexpr std::size_t longest = 180;
+    std::size_t end = std::min(longest, name.size());
+    // Not in the middle of a character of UTF-8.
+    while (end > 0 && end < name.size() && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U)
+        --end;
+    std::string folder = name.substr(0, end);
+    for (char& character : folder) {
+        if (character == '/' || std::iscntrl(static_cast<unsigned char>(character)) != 0) character = '_';
+    }
+    if (folder.starts_with('.')) folder.front() = '_';
+    return folder.empty() ? "run" : folder;
 }
 
 std::filesystem::path output_folder(const RunOptions& options, const Configuration& configuration) {
     if (!options.output.empty()) return options.output;
     const std::tm now = fmt::localtime(std::time(nullptr));
-    return std::filesystem::path("results") / fmt::format("{}-{:%Y%m%d-%H%M%S}", configuration.name, now);
+    return std::filesystem::path("results") / fmt::format("{}-{:%Y%m%d-%H%M%S}", folder_name(configuration.name), now);
 }
 
-RunJob make_job(const RunOptions& options) {
+RunJob make_job(const RunOptions& options, const ConfigurationText& configuration) {
     parse_run_format(options.format);
-    RunJob job{.sources = read_run_sources(options.configuration, options.axes, options.filters, options.library),
+    RunJob job{.sources = read_run_sources(configuration, options.cells, options.library),
                .resume = options.resume,
                .format = options.format,
                .colour = options.colour.is_wanted(),
@@ -79,32 +105,44 @@ RunJob make_job(const RunOptions& options) {
                .device = options.device.options,
                .sharing = options.sharing,
                .command_line = options.command_line};
-    job.shard = chosen_shard(options.shard, read_json_file(options.configuration));
-    if (job.shard) job.sources.cells = cells_of_shard(job.sources.cells, *job.shard);
+    if (take_standard_output(job.exports) && options.format != run_format_names().front()) {
+        fail("--export to standard output and --format {} exclude each other; give the export a file", options.format);
+    }
+    set_sampling(job.sources.configuration, options.sampling.settings);
+    job.shard = chosen_shard(options.shard, job.sources.shard);
+    if (job.shard) job.sources.cells = take_shard(job.sources.cells, *job.shard);
     if (options.preparation.limit_s) set_preparation_limit(job.sources.configuration, *options.preparation.limit_s);
     return job;
 }
 
 /// Refuses what a run would refuse before it asks for the device.
-ExitCode plan(const RunOptions& options) {
-    const RunJob job = make_job(options);
+ExitCode plan(const RunOptions& options, const ConfigurationText& configuration) {
+    const RunJob job = make_job(options, configuration);
     if (job.resume.empty() && !options.output.empty()) refuse_second_run(options.output);
     check_input_files(job.sources.cells);
     return print_plan(job.sources.cells);
 }
 
+ExitCode run_as_worker(const RunOptions& options, const ConfigurationText& configuration, WorkerStatus& status) {
+    RunJob job = make_job(options, configuration);
+    job.takes_over = !status.folder().empty();
+    job.folder = job.takes_over ? status.folder() : output_folder(options, job.sources.configuration);
+    if (job.resume.empty() && !job.takes_over) refuse_second_run(job.folder);
+    status.set_folder(job.folder);
+    return work_on_run(job, status);
+}
+
 ExitCode run(const RunOptions& options) {
     const double pass_timeout_s = parse_duration(options.pass_timeout, "--pass-timeout");
+    refuse_standard_output(options.output, "a run is a folder; its table goes to standard output anyway");
     if (!options.resume.empty() && options.output.empty()) fail("--resume needs -o, the folder of the run");
-    if (options.dry_run) return plan(options);
     const std::unique_ptr<WorkerStatus> status = take_worker_status();
-    if (!status) return supervise({options.command_line, pass_timeout_s, options.pass_timeout});
-    RunJob job = make_job(options);
-    job.takes_over = !status->folder().empty();
-    job.folder = job.takes_over ? status->folder() : output_folder(options, job.sources.configuration);
-    if (job.resume.empty() && !job.takes_over) refuse_second_run(job.folder);
-    status->set_folder(job.folder);
-    return work_on_run(job, *status);
+    const std::optional<ConfigurationText> handed = take_handed_configuration(options.configuration);
+    const ConfigurationText configuration = handed ? *handed : read_configuration_text(options.configuration);
+    if (options.dry_run) return plan(options, configuration);
+    if (status) return run_as_worker(options, configuration, *status);
+    const HandedConfiguration handing(configuration);
+    return supervise({options.command_line, pass_timeout_s, options.pass_timeout, handing});
 }
 
 }  // namespace
@@ -113,7 +151,9 @@ void add_run_command(CLI::App& app, ChosenCommand& chosen, const std::vector<std
     const auto options = std::make_shared<RunOptions>();
     options->command_line = command_line;
     CLI::App* command = app.add_subcommand("run", "Measure every cell of a configuration");
-    command->add_option("configuration", options->configuration, "A configuration, or the run.json of an earlier run")
+    command
+        ->add_option("configuration", options->configuration,
+                     "A configuration, or the run.json of an earlier run, - for standard input")
         ->required()
         ->type_name("CONFIG");
     command
@@ -127,14 +167,8 @@ void add_run_command(CLI::App& app, ChosenCommand& chosen, const std::vector<std
             "configuration, maps, shaders or device are not the same, unless --resume=force, which marks the cells")
         ->type_name("")
         ->check(CLI::IsMember({"plain", "force"}));
-    add_repeated_option(*command, "-a,--axis", options->axes,
-                        "Values of an axis or parameter in place of the configuration's: name=v1,v2 or "
-                        "name=[start:stop:step] (may be repeated)")
-        ->type_name("NAME=VALUES");
-    add_repeated_option(*command, "--filter", options->filters,
-                        "Keep only cells that fulfil this: technique=pom,qdm, view_angle>=60 (may be repeated; all "
-                        "must hold)")
-        ->type_name("EXPR");
+    options->cells.add_to(*command);
+    options->sampling.add_to(*command);
     add_repeated_option(
         *command, "--export", options->exports,
         "Write the finished run for other tools, too: " + join(export_format_names()) + " (may be repeated)")

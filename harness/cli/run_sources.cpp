@@ -33,6 +33,12 @@ std::vector<std::string> recorded_strings(const JsonView& record, const std::str
     return strings;
 }
 
+std::optional<Shard> recorded_shard(const JsonView& record) {
+    if (!record.has("shard")) return std::nullopt;
+    const JsonView shard = record.at("shard");
+    return parse_shard(fmt::format("{}/{}", shard.at("index").integer(), shard.at("count").integer()));
+}
+
 std::vector<std::string> absolute_paths(const std::vector<std::string>& directories) {
     std::vector<std::string> paths;
     for (const std::string& directory : directories) {
@@ -56,23 +62,24 @@ void report_broken_techniques(const TechniqueLibrary& library, const std::vector
 
 }  // namespace
 
-RunSources read_run_sources(const std::string& path, const std::vector<std::string>& axes,
-                            const std::vector<std::string>& filters, const TechniqueOptions& techniques) {
-    const Json file = read_json_file(path);
+RunSources read_run_sources(const ConfigurationText& text, const CellChoice& choice,
+                            const TechniqueOptions& techniques) {
+    const Json file = parse_json(text.text, text.file);
     const bool is_record = file.is_object() && file.contains("configuration");
     const Json& configuration = is_record ? file.at("configuration") : file;
 
     RunSources sources;
     std::vector<std::string> directories = techniques.directories;
     if (is_record) {
-        const JsonView record(file, path);
+        const JsonView record(file, text.file);
         sources.filters = recorded_strings(record, "filters");
         const std::vector<std::string> recorded = recorded_strings(record, "technique_directories");
         directories.insert(directories.end(), recorded.begin(), recorded.end());
+        sources.shard = recorded_shard(record);
     }
-    sources.filters.insert(sources.filters.end(), filters.begin(), filters.end());
+    sources.filters.insert(sources.filters.end(), choice.filters.begin(), choice.filters.end());
     sources.technique_directories = absolute_paths(directories);
-    sources.library = TechniqueOptions{sources.technique_directories}.find();
+    sources.library = TechniqueOptions{sources.technique_directories, techniques.same_id}.find();
 
     std::vector<std::string> named;
     if (configuration.is_object() && configuration.contains("techniques")) {
@@ -80,7 +87,7 @@ RunSources read_run_sources(const std::string& path, const std::vector<std::stri
     }
     report_broken_techniques(sources.library, named);
     const std::vector<Manifest> manifests = sources.library.manifests();
-    sources.configuration = read_configuration(path, axes, manifests);
+    sources.configuration = parse_configuration(file, text.file, choice.axes, manifests);
     sources.cells = filter_cells(expand(sources.configuration, manifests), sources.filters, manifests);
     return sources;
 }

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "cli/configuration_text.hpp"
 #include "cli/shared_options.hpp"
 #include "sweep/configuration.hpp"
+#include "sweep/shard.hpp"
 #include "technique/technique.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,10 +20,12 @@ struct RunSources {
     /// As given, and as an earlier run had them when its run.json is what is run.
     std::vector<std::string> filters;
     std::vector<std::string> technique_directories;
+    /// The shard that an earlier run was.
+    std::optional<Shard> shard;
 };
 
-/// `path` is a configuration or a run.json, whose filters and technique directories are then taken over.
-RunSources read_run_sources(const std::string& path, const std::vector<std::string>& axes,
-                            const std::vector<std::string>& filters, const TechniqueOptions& techniques);
+/// Of a configuration, or of a run.json, whose filters, technique directories and shard are then taken over.
+RunSources read_run_sources(const ConfigurationText& text, const CellChoice& choice,
+                            const TechniqueOptions& techniques);
 
 }  // namespace reliefbench

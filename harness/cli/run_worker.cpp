@@ -1,10 +1,12 @@
 #include "cli/run_worker.hpp"
 
 #include "cli/progress_printer.hpp"
+#include "cli/read_maps.hpp"
 #include "cli/results.hpp"
 #include "cli/shared_options.hpp"
 #include "cli/shell_word.hpp"
 #include "cli/terminal.hpp"
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/suggest.hpp"
@@ -114,26 +116,29 @@ Run read_back(const std::filesystem::path& folder, const std::vector<Cell>& cell
 void print_outcome(const RunOutcome& outcome, const Run& run, const RunJob& job) {
     const RunFormat format = parse_run_format(job.format);
     const TableStyle style{.columns = std::min(table_columns(), TableStyle().columns), .colour = job.colour};
-    print_results(format_run(run, format, style));
+    const std::string table = format_run(run, format, style);
     const std::string summary = format_run_summary(outcome, run.run.at("empty_pass"));
-    if (format == RunFormat::table) {
-        print_results(summary);
+    if (take_standard_output(job.exports)) {
+        fmt::print(stderr, "{}{}", table, summary);
+    } else if (format == RunFormat::table) {
+        print_results(table + summary);
     } else {
+        print_results(table);
         fmt::print(stderr, "{}", summary);
     }
 }
 
 void say_how_to_go_on(std::size_t finished, const RunJob& job) {
     fmt::print(stderr,
-               "reliefbench: interrupted with {} of {} cells finished; every sample is kept. Go on with\n"
+               "reliefbench: interrupted with {} of {} finished; every sample is kept. Go on with\n"
                "    reliefbench run {} -o {} --resume\n",
-               finished, job.sources.cells.size(), shell_word((job.folder / "run.json").string()),
+               finished, counted(job.sources.cells.size(), "cell"), shell_word((job.folder / "run.json").string()),
                shell_word(job.folder.string()));
 }
 
 /// What stands in run.json before anything is measured.
 Json make_record(const RunJob& job, const gpu::Device& device) {
-    const std::vector<HeightMapRecord> maps = inspect_height_maps(job.sources.cells);
+    const std::vector<HeightMapRecord> maps = read_maps(job.sources.cells);
     warn_of_constant_maps(maps);
     Json record = make_run_record(
         {job.sources.configuration, job.sources.library, job.sources.cells, maps, device, job.sharing.share});
@@ -180,10 +185,10 @@ ExitCode work_on_run(const RunJob& job, WorkerStatus& status) {
     OpenedRun opened =
         open_run(job.folder, make_record(job, device), job.takes_over && job.resume.empty() ? "plain" : job.resume);
     RunWriter& writer = *opened.writer;
-    fmt::print(stderr, "{} cells on {}, results in {}\n", job.sources.cells.size(), device.info().name,
+    fmt::print(stderr, "{} on {}, results in {}\n", counted(job.sources.cells.size(), "cell"), device.info().name,
                writer.folder().string());
     if (!opened.earlier.finished.empty()) {
-        fmt::print(stderr, "{} of them are finished already\n", opened.earlier.finished.size());
+        fmt::print(stderr, "finished already: {}\n", counted(opened.earlier.finished.size(), "cell"));
     }
 
     RunOutcome outcome = measure(job, device, writer, std::move(opened.earlier), status);

@@ -2,6 +2,7 @@
 #include "cli/device_lock.hpp"
 #include "cli/duration.hpp"
 #include "cli/progress_printer.hpp"
+#include "cli/read_maps.hpp"
 #include "cli/results.hpp"
 #include "cli/run_sources.hpp"
 #include "cli/shared_options.hpp"
@@ -9,8 +10,8 @@
 #include "compare/between_runs.hpp"
 #include "compare/run_noise.hpp"
 #include "compare/run_side.hpp"
-#include "core/error.hpp"
 #include "core/counted.hpp"
+#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/log.hpp"
 #include "core/process.hpp"
@@ -54,8 +55,8 @@ struct SelfcheckOptions {
     std::string configuration;
     int processes = 6;
     std::string budget = "5m";
-    std::vector<std::string> axes;
-    std::vector<std::string> filters;
+    CellChoice cells;
+    SamplingChoice sampling;
     TechniqueOptions library;
     DeviceChoice device;
     DeviceSharing sharing;
@@ -83,7 +84,7 @@ std::vector<std::string> run_command_line(const SelfcheckOptions& options, const
             words.push_back(value);
         }
     };
-    add("--filter", options.filters);
+    add("--filter", options.cells.filters);
     add("--techniques", options.library.directories);
     if (!options.device.options.choice.empty()) add("--device", {options.device.options.choice});
     if (options.sharing.share) words.emplace_back("--share-device");
@@ -225,7 +226,9 @@ ExitCode selfcheck(SelfcheckOptions options) {
         fail("--processes: expected at least {}, found {}", fewest_processes, options.processes);
     }
     if (options.configuration.empty()) options.configuration = (configuration_root() / "quick.json").string();
-    const RunSources sources = read_run_sources(options.configuration, options.axes, options.filters, options.library);
+    RunSources sources =
+        read_run_sources(read_configuration_text(options.configuration), options.cells, options.library);
+    set_sampling(sources.configuration, options.sampling.settings);
     // Before anything is measured, so that a machine without a place to keep it is told at once.
     const std::filesystem::path folder = state_folder();
     NoiseRecord record;
@@ -239,7 +242,7 @@ ExitCode selfcheck(SelfcheckOptions options) {
     {
         const gpu::Device device(options.device.options);
         const std::optional<DeviceLock> lock = options.sharing.lock(device.info());
-        const std::vector<HeightMapRecord> maps = inspect_height_maps(sources.cells);
+        const std::vector<HeightMapRecord> maps = read_maps(sources.cells);
         const Json run = make_run_record(
             {sources.configuration, sources.library, sources.cells, maps, device, options.sharing.share});
         record.machine = machine_of(run);
@@ -277,7 +280,9 @@ void add_selfcheck_command(CLI::App& app, ChosenCommand& chosen) {
     const auto options = std::make_shared<SelfcheckOptions>();
     CLI::App* command =
         app.add_subcommand("selfcheck", "Find the smallest change that this machine can see, from identical code");
-    command->add_option("configuration", options->configuration, "A configuration; default: quick.json")
+    command
+        ->add_option("configuration", options->configuration,
+                     "A configuration, or the run.json of an earlier run, - for standard input; default: quick.json")
         ->type_name("CONFIG");
     command
         ->add_option("--processes", options->processes,
@@ -285,11 +290,8 @@ void add_selfcheck_command(CLI::App& app, ChosenCommand& chosen) {
         ->type_name("N");
     command->add_option("--budget", options->budget, "Time in all, roughly: 90s, 5m, 1h; default: 5m")
         ->type_name("TIME");
-    add_repeated_option(*command, "-a,--axis", options->axes,
-                        "Values of an axis or parameter in place of the configuration's (may be repeated)")
-        ->type_name("NAME=VALUES");
-    add_repeated_option(*command, "--filter", options->filters, "Keep only cells that fulfil this (may be repeated)")
-        ->type_name("EXPR");
+    options->cells.add_to(*command);
+    options->sampling.add_to(*command);
     options->library.add_to(*command);
     options->device.add_to(*command);
     options->sharing.add_to(*command);

@@ -1,6 +1,9 @@
 #include "cli/shared_options.hpp"
 
+#include "core/error.hpp"
 #include "core/log.hpp"
+#include "core/suggest.hpp"
+#include "sweep/configuration_keys.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -17,7 +20,30 @@ void TechniqueOptions::add_to(CLI::App& command) {
 TechniqueLibrary TechniqueOptions::find() const {
     std::vector<std::filesystem::path> roots{default_technique_root()};
     roots.insert(roots.end(), directories.begin(), directories.end());
-    return find_techniques(roots);
+    for (const std::string& directory : directories) {
+        if (const std::string complaint = complaint_of_root(directory); !complaint.empty())
+            fail("--techniques: {}", complaint);
+    }
+    return find_techniques(roots, shader_root(), same_id);
+}
+
+void CellChoice::add_to(CLI::App& command) {
+    add_repeated_option(command, "-a,--axis", axes,
+                        "Values of an axis or parameter (see `list axes`, `list techniques`) in place of the "
+                        "configuration's: name=v1,v2 or name=[start:stop:step], and as JSON where a value has a comma: "
+                        "name=[\"a,b.png\"] (may be repeated)")
+        ->type_name("NAME=VALUES");
+    add_repeated_option(command, "--filter", filters,
+                        "Keep only cells that fulfil this: technique=pom,qdm, view_angle>=60; values as for -a (may be "
+                        "repeated; all must hold)")
+        ->type_name("EXPR");
+}
+
+void SamplingChoice::add_to(CLI::App& command) {
+    add_repeated_option(command, "--sampling", settings,
+                        "Settings in place of those of the configuration's \"sampling\": rule=fixed,rounds=20 (" +
+                            join(configuration_keys::sampling()) + "; may be repeated)")
+        ->type_name("NAME=VALUE,...");
 }
 
 void DeviceChoice::add_to(CLI::App& command) {

@@ -19,9 +19,28 @@ namespace reliefbench {
 /// Which techniques there are: the shipped ones and those of directories named with --techniques.
 struct TechniqueOptions {
     std::vector<std::string> directories;
+    /// What becomes of one that has the id of a shipped one.
+    SameId same_id = SameId::refused;
 
     void add_to(CLI::App& command);
+    /// A directory that holds no technique is an Error.
     TechniqueLibrary find() const;
+};
+
+/// Which cells of a configuration, with which values.
+struct CellChoice {
+    /// `-a` (sweep/override.hpp) and `--filter`.
+    std::vector<std::string> axes;
+    std::vector<std::string> filters;
+
+    void add_to(CLI::App& command);
+};
+
+/// How cells are sampled, in place of the configuration's `sampling` (set_sampling).
+struct SamplingChoice {
+    std::vector<std::string> settings;
+
+    void add_to(CLI::App& command);
 };
 
 /// Which device, and whether the validation layer watches.

@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -44,35 +45,37 @@ struct Death {
     int signal = 0;
 };
 
-std::vector<std::string> environment_with(const std::string& entry) {
-    std::vector<std::string> entries;
+std::vector<std::string> environment_with(std::vector<std::string> entries) {
     for (char** other = environ; *other != nullptr; ++other)
         entries.emplace_back(*other);
-    entries.push_back(entry);
     return entries;
 }
 
 /// In the process that fork has just made, where libraries have threads that it lacks: nothing but system calls.
-[[noreturn]] void become_worker(pid_t supervisor, int status, char* const* arguments, char* const* environment) {
+[[noreturn]] void become_worker(pid_t supervisor, const std::array<int, 2>& inherited, char* const* arguments,
+                                char* const* environment) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != supervisor) _exit(EXIT_FAILURE);  // it died before that
     // A terminal and a job system send these to both; the supervisor tells what they mean.
     std::signal(SIGINT, SIG_IGN);
     std::signal(SIGTERM, SIG_IGN);
-    fcntl(status, F_SETFD, 0);
+    for (const int descriptor : inherited)
+        fcntl(descriptor, F_SETFD, 0);
     execve("/proc/self/exe", arguments, environment);
     _exit(EXIT_FAILURE);
 }
 
 pid_t start_worker(const WorkerStatus& status, const Supervision& supervision) {
     std::vector<std::string> words = supervision.command_line;
-    std::vector<std::string> entries = environment_with(fmt::format("{}={}", worker_variable, status.descriptor()));
+    std::vector<std::string> entries = environment_with(
+        {fmt::format("{}={}", worker_variable, status.descriptor()), supervision.configuration.variable()});
+    const std::array<int, 2> inherited{status.descriptor(), supervision.configuration.descriptor()};
     const std::vector<char*> arguments = pointers_to(words);
     const std::vector<char*> environment = pointers_to(entries);
     const pid_t supervisor = getpid();
     const pid_t process = fork();
     if (process < 0) fail("cannot start a worker process: {}", std::strerror(errno));
-    if (process == 0) become_worker(supervisor, status.descriptor(), arguments.data(), environment.data());
+    if (process == 0) become_worker(supervisor, inherited, arguments.data(), environment.data());
     return process;
 }
 

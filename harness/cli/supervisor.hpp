@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli/configuration_text.hpp"
 #include "cli/exit_code.hpp"
 #include "core/worker_status.hpp"
 
@@ -15,6 +16,8 @@ struct Supervision {
     double pass_timeout_s = 10;
     /// As messages write it.
     std::string pass_timeout;
+    /// Inherited by each worker, which finds its variable in its environment.
+    const HandedConfiguration& configuration;
 };
 
 /// The status that this process shares with its supervisor; null in a process that is no worker. To be asked once.

@@ -1,6 +1,8 @@
 #include "cli/command.hpp"
+#include "cli/results.hpp"
 #include "cli/shared_options.hpp"
 #include "cli/shell_word.hpp"
+#include "core/counted.hpp"
 #include "technique/map_cache.hpp"
 #include "verify/conformance.hpp"
 
@@ -37,16 +39,16 @@ std::string render_command(const Check& check, const Technique& technique, const
 
 void print_check(const Check& check, const Technique* technique, const VerifyOptions& options) {
     const char* const word = check.passed ? "ok" : check.skipped ? "skip" : "FAIL";
-    fmt::print("{:<4}  {}: {}{}: {}", word, check.technique, check.name,
-               check.circumstances.empty() ? "" : " (" + check.circumstances + ")", check.detail);
+    std::string line = fmt::format("{:<4}  {}: {}{}: {}", word, check.technique, check.name,
+                                   check.circumstances.empty() ? "" : " (" + check.circumstances + ")", check.detail);
     if (check.failed() && check.drawn && technique) {
         if (const std::optional<PixelPlace>& worst = check.drawn->worst) {
             const std::string place = fmt::format("pixel ({}, {})", worst->column, worst->row);
-            if (check.detail.find(place) == std::string::npos) fmt::print("; worst at {}", place);
+            if (check.detail.find(place) == std::string::npos) line += "; worst at " + place;
         }
-        fmt::print("; to see it: {}", render_command(check, *technique, options));
+        line += "; to see it: " + render_command(check, *technique, options);
     }
-    fmt::print("\n");
+    print_results(line + '\n');
     std::fflush(stdout);
 }
 
@@ -81,8 +83,8 @@ ExitCode verify(const VerifyOptions& options) {
         verify_technique(device, technique, [&](const Check& check) { count_check(check, &technique); },
                          {.cache = map_cache_folder()});
     }
-    fmt::print("{} of {} checks passed on {}{}\n", passed, passed + failed, device.info().name,
-               skipped > 0 ? fmt::format(", {} skipped", skipped) : "");
+    print_results(fmt::format("{} of {} passed on {}{}\n", passed, counted(passed + failed, "check"),
+                              device.info().name, skipped > 0 ? fmt::format(", {} skipped", skipped) : ""));
     return graver(failed > 0 ? ExitCode::cells_failed : ExitCode::done, check_validation(device));
 }
 

@@ -22,6 +22,17 @@ std::string system_reason() {
     return std::strerror(errno);
 }
 
+std::string read_to_end(std::FILE* file, const std::string& name, std::uint64_t most_bytes) {
+    std::string text;
+    char buffer[65536];
+    while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file)) {
+        text.append(buffer, count);
+        if (text.size() > most_bytes) fail("cannot read {}: it is larger than {} bytes", name, most_bytes);
+    }
+    if (std::ferror(file) != 0) fail("cannot read {}: {}", name, system_reason());
+    return text;
+}
+
 void write_whole(const std::filesystem::path& path, std::string_view text) {
     FileHandle file(std::fopen(path.c_str(), "wb"));
     if (!file) fail("{}: {}", path.string(), system_reason());
@@ -35,14 +46,11 @@ void write_whole(const std::filesystem::path& path, std::string_view text) {
 std::string read_text_file(const std::filesystem::path& path, std::uint64_t most_bytes) {
     const FileHandle file(std::fopen(path.c_str(), "rb"));
     if (!file) fail("cannot read {}: {}", path.string(), system_reason());
-    std::string text;
-    char buffer[65536];
-    while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get())) {
-        text.append(buffer, count);
-        if (text.size() > most_bytes) fail("cannot read {}: it is larger than {} bytes", path.string(), most_bytes);
-    }
-    if (std::ferror(file.get()) != 0) fail("cannot read {}: {}", path.string(), system_reason());
-    return text;
+    return read_to_end(file.get(), path.string(), most_bytes);
+}
+
+std::string read_standard_input(std::uint64_t most_bytes) {
+    return read_to_end(stdin, "standard input", most_bytes);
 }
 
 void write_text_file(const std::filesystem::path& path, std::string_view text) {

@@ -9,8 +9,9 @@ namespace reliefbench {
 
 Json axes_to_json(const ViewKey& view) {
     Json axes = Json::object();
-    for (const ViewAxis& axis : view_axes())
-        axes[axis.name] = axis.value(view);
+    for (const ViewAxis& axis : view_axes()) {
+        if (!axis.part_of_height_map) axes[axis.name] = axis.value(view);
+    }
     return axes;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/suggest.hpp"
 #include "manifest/parameter_json.hpp"
+#include "sweep/configuration_keys.hpp"
 #include "sweep/height_map_value.hpp"
 #include "sweep/view_axes.hpp"
 
@@ -76,7 +77,25 @@ void check_quantity_name(const JsonView& where, const std::string& name, const M
     const std::vector<std::string> known = quantity_names(manifests);
     if (std::ranges::find(known, name) != known.end()) return;
     where.fail_here(fmt::format("'{}' is neither \"technique\", nor an axis, nor a parameter of any technique{}", name,
-                                did_you_mean(name, known)));
+                                suggest_quantity(name, known)));
+}
+
+std::string suggest_quantity(const std::string& name, const std::vector<std::string>& known) {
+    // First: "step" is nearer to some parameter's name than to what is meant.
+    std::vector<std::string> called = axes_also_called(name);
+    std::erase_if(called, [&](const std::string& axis) { return std::ranges::find(known, axis) == known.end(); });
+    if (!called.empty())
+        return fmt::format("; here it is called {}; see `reliefbench list axes`", join(called, " or "));
+    const std::vector<std::string>& sampling = configuration_keys::sampling();
+    if (std::ranges::find(sampling, name) != sampling.end()) {
+        return fmt::format("; it is a setting of \"sampling\": --sampling {}=...", name);
+    }
+    const std::vector<std::string>& others = configuration_keys::top();
+    if (std::ranges::find(others, name) != others.end()) {
+        return fmt::format("; \"{}\" stands in a configuration beside its axes", name);
+    }
+    const std::string suggestion = did_you_mean(name, known);
+    return suggestion.empty() ? "; see `reliefbench list axes` and `reliefbench list techniques`" : suggestion;
 }
 
 Json cell_quantity(const Cell& cell, const std::string& name, const ManifestIndex& manifests) {

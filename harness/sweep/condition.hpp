@@ -19,6 +19,10 @@ ManifestIndex index_manifests(const std::vector<Manifest>& manifests);
 /// an Error with a "did you mean".
 void check_quantity_name(const JsonView& where, const std::string& name, const ManifestIndex& manifests);
 
+/// For a name that is none of `known`: " (did you mean 'x'?)" by its spelling, else what other words for it are called
+/// here, where a setting that is no axis stands, or the list of axes.
+std::string suggest_quantity(const std::string& name, const std::vector<std::string>& known);
+
 /// "technique", the axes of the view, "sample_count" and every parameter of the manifests.
 std::vector<std::string> quantity_names(const ManifestIndex& manifests);
 

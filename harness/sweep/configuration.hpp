@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -118,19 +119,24 @@ struct Configuration {
     Origin origin;
 };
 
-/// `overrides` are "-a" arguments: "name=v1,v2" or "name=[start:stop:step]" (stop included when met). They replace an
-/// axis, and take it out of its zip; a parameter wherever it is set; `sample_count` also the sample counts set by name;
-/// and `technique=a,b` the selection, in which those selected before keep their parameters. Relative paths of height
-/// maps are taken from the configuration file's folder when they exist there, else from the working directory; those of
-/// overrides from the working directory. run.json of an earlier run is taken too.
-Configuration read_configuration(const std::filesystem::path& path, const std::vector<std::string>& overrides,
-                                 const std::vector<Manifest>& techniques);
+/// What a configuration that comes by standard input is called in place of its file.
+inline constexpr std::string_view standard_input = "standard input";
 
+/// The configuration that `json`, the content of `file`, is. One without a name is called as its file is; what comes by
+/// standard input or a pipe of the shell (/dev/stdin, /dev/fd/63) is "configuration" and has no folder of its own.
+/// `overrides` are "-a" arguments (sweep/override.hpp). They replace an axis, and take it out of its zip, which is
+/// told; a parameter wherever it is set; `sample_count` also the sample counts set by name; `albedo` also those of
+/// height maps given as objects; and `technique=a,b` the selection, in which those selected before keep their
+/// parameters. Relative paths of height maps are taken from the configuration file's folder when they exist there, else
+/// from the working directory; those of overrides from the working directory. run.json of an earlier run is taken too.
 Configuration parse_configuration(const Json& json, const std::string& file, const std::vector<std::string>& overrides,
                                   const std::vector<Manifest>& techniques);
 
-/// Also in what is written to run.json.
+/// Both also in what is written to run.json.
 void set_preparation_limit(Configuration& configuration, double limit_s);
+/// `settings` are "--sampling" arguments, "name=value,name=value", which take the place of the configuration's; one
+/// that is unknown or out of range is an Error.
+void set_sampling(Configuration& configuration, const std::vector<std::string>& settings);
 
 /// Product of the axes (zipped ones together) × techniques × their parameter values; excluded cells dropped.
 /// Order: views outermost, so that cells of one view are neighbours. Errors: a technique, axis or value unknown to
@@ -140,7 +146,8 @@ void set_preparation_limit(Configuration& configuration, double limit_s);
 /// `sample_count`.
 std::vector<Cell> expand(const Configuration& configuration, const std::vector<Manifest>& techniques);
 
-/// "--filter" expressions: "technique=pom,qdm", "view_angle=60", "max_steps>=16"; all must hold.
+/// "--filter" expressions: "technique=pom,qdm", "view_angle=60", "max_steps>=16"; values as "-a" takes them
+/// (sweep/override.hpp); all must hold.
 std::vector<Cell> filter_cells(std::vector<Cell> cells, const std::vector<std::string>& filters,
                                const std::vector<Manifest>& techniques);
 

@@ -51,9 +51,7 @@ Filter parse_filter(const std::string& text, const ManifestIndex& manifests) {
     filter.comparison = found->comparison;
     const Json nothing;
     check_quantity_name(JsonView(nothing, argument, filter.name), filter.name, manifests);
-    for (const std::string& part : split_list(text.substr(begin + found->text.size()))) {
-        const bool is_word = filter.name == "technique" || filter.name == "heightmap";
-        const Json value = is_word ? Json(part) : scalar_from_text(part);
+    for (const Json& value : parse_values(filter.name, text.substr(begin + found->text.size()), argument)) {
         const JsonView view(value, argument, filter.name);
         if (!is_order(filter.comparison)) {
             filter.values.push_back(read_quantity_value(view, filter.name, manifests));

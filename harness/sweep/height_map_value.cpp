@@ -13,7 +13,6 @@ namespace reliefbench {
 
 namespace {
 
-constexpr int largest_side = 16384;
 constexpr int largest_channel = 1023;
 
 template <typename Value>
@@ -192,6 +191,10 @@ Json resolve_height_map_paths(const JsonView& view, const std::vector<std::files
         if (view.has(key)) resolved[key] = resolve(view.at(key), folders, false);
     }
     return resolved;
+}
+
+Json resolve_albedo_path(const JsonView& view, const std::vector<std::filesystem::path>& folders) {
+    return view.json() == Json("none") ? view.json() : Json(resolve(view, folders, false));
 }
 
 std::string height_map_label(const HeightMapSource& source) {

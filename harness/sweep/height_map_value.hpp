@@ -9,6 +9,9 @@
 
 namespace reliefbench {
 
+/// Of a height map or an image, in texels or pixels.
+inline constexpr int largest_side = 16384;
+
 /// A value of the axis `heightmap`: the name of a procedural map, the path of an image file, or an object that says
 /// how to read it.
 struct HeightMapValue {
@@ -29,10 +32,13 @@ HeightMapValue read_height_map_value(const JsonView& view);
 /// has is an Error.
 Json resolve_height_map_paths(const JsonView& view, const std::vector<std::filesystem::path>& folders);
 
+/// The value of the axis `albedo` likewise: "none", or the path of an image.
+Json resolve_albedo_path(const JsonView& view, const std::vector<std::filesystem::path>& folders);
+
 /// What ids and results call it, files by base name: "rock", "rock+seed=2", "gray_rocks.png+channel=1+invert".
 std::string height_map_label(const HeightMapSource& source);
 
-/// "256", "256x128" or 256, each side from 1 to 16384 texels or pixels.
+/// "256", "256x128" or 256, each side from 1 to `largest_side`.
 Resolution read_resolution(const JsonView& view);
 
 /// "256x128".

@@ -15,6 +15,11 @@ constexpr double most_values = 100000;
 /// 2^53: up to it doubles hold every integer.
 constexpr double largest_exact_integer = 9007199254740992;
 
+/// Names and paths, which are no numbers though they may look like one.
+bool takes_words(const std::string& name) {
+    return name == "technique" || name == "heightmap" || name == "albedo";
+}
+
 /// 0.1 + 2·0.1 as 0.3: without the last digits, which would make ids of their own.
 double without_rounding_noise(double number) {
     return whole_text_as<double>(fmt::format("{:.12g}", number)).value_or(number);
@@ -57,6 +62,82 @@ void append_range(const std::string& text, Override& target) {
     }
 }
 
+/// A range is bare numbers between colons; what is quoted or nested is JSON.
+bool is_range(std::string_view part) {
+    return part == "[]" ||
+           (part.find(':') != std::string_view::npos && part.find_first_of("\"{") == std::string_view::npos);
+}
+
+/// Behind the string, array or object of JSON that begins at `begin`.
+std::size_t end_of_json(const std::string& text, std::size_t begin, const std::string& argument) {
+    int depth = 0;
+    bool in_string = false;
+    for (std::size_t at = begin; at < text.size(); ++at) {
+        const char c = text[at];
+        if (in_string && c == '\\') {
+            ++at;
+        } else if (c == '"') {
+            in_string = !in_string;
+        } else if (!in_string && (c == '[' || c == '{')) {
+            ++depth;
+        } else if (!in_string && (c == ']' || c == '}')) {
+            --depth;
+        }
+        if (!in_string && depth == 0) return at + 1;
+    }
+    fail("{}: '{}' lacks its closing {}", argument, text.substr(begin),
+         text[begin] == '"'   ? "quote"
+         : text[begin] == '[' ? "bracket"
+                              : "brace");
+}
+
+/// A range, or JSON: a string or an object, or an array of values.
+void append_json(const std::string& part, Override& target) {
+    if (part.front() == '[' && is_range(part)) {
+        append_range(part, target);
+        return;
+    }
+    Json value = parse_json(part, target.argument);
+    if (!value.is_array()) {
+        target.values.push_back(std::move(value));
+        return;
+    }
+    for (Json& element : value)
+        target.values.push_back(std::move(element));
+}
+
+/// A plain value ends at a comma; those in brackets do not count.
+std::size_t end_of_word(const std::string& text, std::size_t begin) {
+    int depth = 0;
+    std::size_t at = begin;
+    for (; at < text.size() && (text[at] != ',' || depth > 0); ++at) {
+        if (text[at] == '[') ++depth;
+        if (text[at] == ']' && depth > 0) --depth;
+    }
+    return at;
+}
+
+void append_values(const std::string& text, Override& target) {
+    const bool words = takes_words(target.name);
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const bool is_json =
+            begin < text.size() && std::string_view("\"[{").find(text[begin]) != std::string_view::npos;
+        const std::size_t end = is_json ? end_of_json(text, begin, target.argument) : end_of_word(text, begin);
+        const std::string part = text.substr(begin, end - begin);
+        if (part.empty()) fail("{}: a value is missing between commas", target.argument);
+        if (end < text.size() && text[end] != ',') {
+            fail("{}: expected a comma behind {}, found '{}'; a value that begins so is quoted as JSON is: [\"...\"]",
+                 target.argument, part, text.substr(end));
+        }
+        if (is_json) {
+            append_json(part, target);
+        } else {
+            target.values.push_back(words ? Json(part) : scalar_from_text(part));
+        }
+        begin = end + 1;
+    }
+}
+
 }  // namespace
 
 Json scalar_from_text(const std::string& text) {
@@ -67,43 +148,19 @@ Json scalar_from_text(const std::string& text) {
     return text;
 }
 
-std::vector<std::string> split_list(const std::string& text) {
-    std::vector<std::string> parts(1);
-    int depth = 0;
-    for (const char c : text) {
-        if (c == '[') ++depth;
-        if (c == ']') --depth;
-        if (c == ',' && depth == 0) {
-            parts.emplace_back();
-        } else {
-            parts.back() += c;
-        }
-    }
-    return parts;
+std::vector<Json> parse_values(const std::string& name, const std::string& text, const std::string& argument) {
+    Override parsed{name, {}, argument};
+    append_values(text, parsed);
+    return std::move(parsed.values);
 }
 
 Override parse_override(const std::string& argument) {
-    Override parsed;
-    parsed.argument = "-a " + argument;
     const std::size_t equals = argument.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == argument.size()) {
         fail("-a {}: expected name=value,value or name=[start:stop:step]", argument);
     }
-    parsed.name = argument.substr(0, equals);
-    const std::string text = argument.substr(equals + 1);
-    if (text.front() == '{') {
-        parsed.values.push_back(parse_json(text, parsed.argument));
-        return parsed;
-    }
-    for (const std::string& part : split_list(text)) {
-        if (part.empty()) fail("-a {}: a value is missing between commas", argument);
-        if (part.front() == '[') {
-            if (part.back() != ']') fail("-a {}: '{}' lacks its closing bracket", argument, part);
-            append_range(part, parsed);
-        } else {
-            parsed.values.push_back(scalar_from_text(part));
-        }
-    }
+    Override parsed{argument.substr(0, equals), {}, "-a " + argument};
+    append_values(argument.substr(equals + 1), parsed);
     return parsed;
 }
 

@@ -15,14 +15,17 @@ struct Override {
     std::string argument;
 };
 
-/// "name=v1,v2", "name=[start:stop:step]" (stop included when met), both mixed, or "name={...}", one JSON object.
-/// An argument that is neither is an Error.
+/// "name=<values>", values as parse_values takes them. An argument that is none is an Error.
 Override parse_override(const std::string& argument);
+
+/// The values that the command line gives for `name`, separated by commas. Each is
+/// - a word: a number, true or false where it reads as one, else a string (always, of a technique or a height map);
+/// - a range [start:stop:step], its stop included when met;
+/// - JSON: "a string", {an object}, or [an array] of values. So are values written that have commas or brackets.
+/// `argument` is for messages.
+std::vector<Json> parse_values(const std::string& name, const std::string& text, const std::string& argument);
 
 /// A word as JSON: a number, true or false where it reads as one, else a string.
 Json scalar_from_text(const std::string& text);
-
-/// "a,b,c" at its commas; those in brackets do not count.
-std::vector<std::string> split_list(const std::string& text);
 
 }  // namespace reliefbench

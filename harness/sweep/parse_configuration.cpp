@@ -1,5 +1,7 @@
 #include "core/error.hpp"
 #include "core/log.hpp"
+#include "core/split.hpp"
+#include "core/suggest.hpp"
 #include "manifest/parameter_json.hpp"
 #include "sweep/configuration.hpp"
 #include "sweep/configuration_keys.hpp"
@@ -15,6 +17,16 @@ namespace reliefbench {
 namespace {
 
 using Folders = std::vector<std::filesystem::path>;
+
+/// Of a configuration that neither names itself nor has a file's name.
+constexpr std::string_view unnamed = "configuration";
+
+/// Told by the path alone: a pipe that has been read may be gone.
+bool has_name_of_its_own(const std::filesystem::path& file) {
+    const std::filesystem::path plain = std::filesystem::path(file).lexically_normal();
+    const auto below = [&](const char* folder) { return plain.is_absolute() && *std::next(plain.begin()) == folder; };
+    return file != standard_input && !below("dev") && !below("proc");
+}
 
 /// A list, or one value that stands for a list of itself.
 std::vector<JsonView> one_or_more(const JsonView& view) {
@@ -47,11 +59,17 @@ TechniqueSelection read_selection(const JsonView& view, const ManifestIndex& man
     return selection;
 }
 
+/// With absolute paths of files, where the axis takes some.
+Json resolve_axis_value(const std::string& axis, const JsonView& value, const Folders& folders) {
+    if (axis == "heightmap") return resolve_height_map_paths(value, folders);
+    if (axis == "albedo") return resolve_albedo_path(value, folders);
+    return value.json();
+}
+
 Axis read_axis(const std::string& name, const JsonView& view, const Folders& folders) {
     Axis axis{name, {}, {view.file(), view.path()}};
-    for (const JsonView& value : one_or_more(view)) {
-        axis.values.push_back(name == "heightmap" ? resolve_height_map_paths(value, folders) : value.json());
-    }
+    for (const JsonView& value : one_or_more(view))
+        axis.values.push_back(resolve_axis_value(name, value, folders));
     return axis;
 }
 
@@ -80,11 +98,14 @@ Configuration read(const JsonView& view, const ManifestIndex& manifests) {
     Configuration configuration;
     configuration.origin = {view.file(), view.path()};
     const std::filesystem::path file = view.file();
-    configuration.name = view.has("name") ? view.at("name").string() : file.stem().string();
+    const bool named = has_name_of_its_own(file);
+    configuration.name = view.has("name") ? view.at("name").string()
+                         : named          ? file.stem().string()
+                                          : std::string(unnamed);
     for (const JsonView& item : view.at("techniques").items()) {
         configuration.techniques.push_back(read_selection(item, manifests));
     }
-    const Folders folders{file.parent_path().empty() ? "." : file.parent_path(), "."};
+    const Folders folders{!named || file.parent_path().empty() ? "." : file.parent_path(), "."};
     for (const auto& [name, values] : view.at("axes").members()) {
         configuration.axes.push_back(read_axis(name, values, folders));
     }
@@ -120,10 +141,25 @@ void override_techniques(const Override& given, Configuration& configuration, co
 }
 
 /// The values hold for all that the axis was tied to; a zip of one axis ties nothing.
-void untie(const std::string& axis, Configuration& configuration) {
-    for (std::vector<std::string>& names : configuration.zip)
-        std::erase(names, axis);
+void untie(const Override& given, Configuration& configuration) {
+    for (std::vector<std::string>& names : configuration.zip) {
+        if (std::erase(names, given.name) == 0) continue;
+        log_warning(
+            "{}: the configuration ties {} to {} (\"zip\"); with these values it is tied no more: each of them "
+            "is combined with every {}",
+            given.argument, given.name, join(names, " and "), join(names, " and "));
+    }
     std::erase_if(configuration.zip, [](const std::vector<std::string>& names) { return names.size() < 2; });
+}
+
+/// Of height maps that are given as objects.
+void drop_own_albedos(Configuration& configuration) {
+    for (Axis& axis : configuration.axes) {
+        if (axis.name != "heightmap") continue;
+        for (Json& value : axis.values) {
+            if (value.is_object()) value.erase("albedo");
+        }
+    }
 }
 
 /// The axis takes the place of whatever set the same before.
@@ -136,10 +172,10 @@ void override_axis(const Override& given, Configuration& configuration, const Ma
     }
     Axis axis{given.name, {}, {given.argument, given.name}};
     for (const Json& value : given.values) {
-        const JsonView view(value, given.argument, given.name);
-        axis.values.push_back(given.name == "heightmap" ? resolve_height_map_paths(view, {"."}) : value);
+        axis.values.push_back(resolve_axis_value(given.name, JsonView(value, given.argument, given.name), {"."}));
     }
-    untie(given.name, configuration);
+    if (given.name == "albedo") drop_own_albedos(configuration);
+    untie(given, configuration);
     const auto earlier = std::ranges::find(configuration.axes, given.name, &Axis::name);
     if (earlier == configuration.axes.end()) {
         configuration.axes.push_back(std::move(axis));
@@ -247,14 +283,26 @@ Configuration parse_configuration(const Json& json, const std::string& file, con
     return configuration;
 }
 
+void set_sampling(Configuration& configuration, const std::vector<std::string>& settings) {
+    for (const std::string& text : settings) {
+        const std::string argument = "--sampling " + text;
+        Json sampling = to_json(configuration.sampling);
+        for (const std::string& part : split(text, ',')) {
+            const std::size_t equals = part.find('=');
+            if (equals == std::string::npos || equals == 0 || equals + 1 == part.size()) {
+                fail("{}: expected name=value, as in rule=fixed,rounds=20; the settings are {}", argument,
+                     join(configuration_keys::sampling()));
+            }
+            sampling[part.substr(0, equals)] = scalar_from_text(part.substr(equals + 1));
+        }
+        configuration.sampling = read_sampling(JsonView(sampling, argument));
+    }
+    if (!settings.empty()) configuration.expanded["sampling"] = to_json(configuration.sampling);
+}
+
 void set_preparation_limit(Configuration& configuration, double limit_s) {
     configuration.preparation.limit_s = limit_s;
     configuration.expanded["preparation"] = to_json(configuration.preparation);
-}
-
-Configuration read_configuration(const std::filesystem::path& path, const std::vector<std::string>& overrides,
-                                 const std::vector<Manifest>& techniques) {
-    return parse_configuration(read_json_file(path), path.string(), overrides, techniques);
 }
 
 }  // namespace reliefbench

@@ -48,7 +48,7 @@ const Parameter* parameter_of(const Manifest& manifest, const std::string& axis)
                                     axis.name, join(owners, ", ")));
     }
     fail_axis(axis, fmt::format("unknown axis '{}': neither of the view nor a parameter of a technique selected{}",
-                                axis.name, did_you_mean(axis.name, known)));
+                                axis.name, suggest_quantity(axis.name, known)));
 }
 
 /// At least one technique must take each value.

@@ -1,74 +1,30 @@
 #include "sweep/view_axes.hpp"
 
+#include "core/suggest.hpp"
+#include "sweep/axis_kinds.hpp"
 #include "sweep/height_map_value.hpp"
+#include "sweep/self_shadow_axes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <iterator>
 #include <utility>
 
 namespace reliefbench {
 
 namespace {
 
-constexpr double largest_view_angle = 90;  // excluded
-constexpr double full_turn = 360;
-constexpr double largest_distance = 1000;
-constexpr double smallest_fov = 1;
-constexpr double largest_fov = 170;
-constexpr double largest_height_scale = 10;
-constexpr double largest_tiling = 1024;
-constexpr int most_shadow_steps = 65536;
-constexpr double largest_softening = 1000;
+constexpr NumberRange view_angles{.minimum = 0, .maximum = 90, .below_maximum = true};
+constexpr NumberRange azimuths{.minimum = -360, .maximum = 360};
+constexpr NumberRange distances{.minimum = 0, .maximum = 1000, .above_minimum = true};
+constexpr NumberRange fields_of_view{.minimum = 1, .maximum = 170};
+constexpr NumberRange height_scales{.minimum = 0, .maximum = 10, .above_minimum = true};
+constexpr NumberRange tilings{.minimum = 0, .maximum = 1024, .above_minimum = true};
 
-/// Above 0 and up to the maximum.
-double read_positive(const JsonView& view, double maximum) {
-    const double number = view.number(0, maximum);
-    if (number == 0) view.fail_expected(fmt::format("a number above 0, up to {}", maximum));
-    return number;
-}
-
-double read_view_angle(const JsonView& view) {
-    if (!view.json().is_number() || !(view.json().get<double>() < largest_view_angle)) {
-        view.fail_expected("an angle in degrees from 0 to below 90");
-    }
-    return view.number(0, largest_view_angle);
-}
-
-const ViewKey& plain_view() {
-    static const ViewKey view;
-    return view;
-}
-
-/// An axis that is one number of the view.
-template <typename Read, typename Member>
-ViewAxis number_axis(std::string name, Read read, Member member) {
-    return {std::move(name),
-            [read, member](const JsonView& json) -> ViewSetting {
-                return [number = read(json), member](ViewKey& view) { member(view) = number; };
-            },
-            [member](const ViewKey& view) { return Json(member(view)); }, Json(member(plain_view()))};
-}
-
-/// An axis that is one of a few words, of an enumeration in the order of its enumerators.
-template <typename Enumeration, typename Member>
-ViewAxis word_axis(std::string name, std::vector<std::string> words, Member member) {
-    return {std::move(name),
-            [words, member](const JsonView& json) -> ViewSetting {
-                const auto value = static_cast<Enumeration>(json.choice(words));
-                return [value, member](ViewKey& view) { member(view) = value; };
-            },
-            [words, member](const ViewKey& view) { return Json(words[static_cast<std::size_t>(member(view))]); },
-            Json(words[static_cast<std::size_t>(member(plain_view()))])};
-}
-
-/// Makes an axis one that only some views have.
-ViewAxis only_where(bool (*has_use)(const View&), ViewAxis axis) {
-    axis.value = [has_use, value = std::move(axis.value)](const ViewKey& view) {
-        return has_use(view.view) ? value(view) : Json();
-    };
-    return axis;
-}
+constexpr const char* no_albedo = "none";
 
 ViewAxis moving_no_hits(ViewAxis axis) {
     axis.moves_hits = false;
@@ -79,33 +35,22 @@ bool is_perspective(const View& view) {
     return view.camera.projection == Projection::perspective;
 }
 
-bool has_hard_shadows(const View& view) {
-    return view.self_shadow.mode == SelfShadow::Mode::hard;
-}
-
-bool has_soft_shadows(const View& view) {
-    return view.self_shadow.mode == SelfShadow::Mode::soft;
-}
-
-bool has_dykhta_shadows(const View& view) {
-    return has_soft_shadows(view) && view.self_shadow.soft == SelfShadow::Soft::dykhta;
-}
-
-bool has_tatarchuk_shadows(const View& view) {
-    return has_soft_shadows(view) && view.self_shadow.soft == SelfShadow::Soft::tatarchuk;
-}
-
-bool has_shadow_steps(const View& view) {
-    return has_hard_shadows(view) || has_dykhta_shadows(view);
+std::string size_values() {
+    return fmt::format("N or NxM, from 1 to {}", largest_side);
 }
 
 ViewAxis heightmap_axis() {
     return {"heightmap",
+            {.unit = "",
+             .values = "a name, a file or an object",
+             .help = "what gives the relief its heights (`list heightmaps`); every configuration has it",
+             .also_called = {"map", "maps", "texture", "image", "file", "input", "height_map", "displacement"}},
             [](const JsonView& json) -> ViewSetting {
                 return [value = read_height_map_value(json)](ViewKey& view) {
-                    const Resolution swept_size = view.height_map.size;
+                    const HeightMapSource swept = view.height_map;
                     view.height_map = value.source;
-                    if (!value.has_own_size && is_procedural(value.source.name)) view.height_map.size = swept_size;
+                    if (!value.has_own_size && is_procedural(value.source.name)) view.height_map.size = swept.size;
+                    if (value.source.albedo.empty()) view.height_map.albedo = swept.albedo;
                 };
             },
             [](const ViewKey& view) { return Json(height_map_label(view.height_map)); }};
@@ -113,6 +58,10 @@ ViewAxis heightmap_axis() {
 
 ViewAxis heightmap_size_axis() {
     return {"heightmap_size",
+            {.unit = "texels",
+             .values = size_values(),
+             .help = "sides of procedural height maps; files have their own",
+             .also_called = {"size", "map_size", "texture_size", "texels"}},
             [](const JsonView& json) -> ViewSetting {
                 return [size = read_resolution(json)](ViewKey& view) { view.height_map.size = size; };
             },
@@ -122,8 +71,32 @@ ViewAxis heightmap_size_axis() {
             Json(to_string(plain_view().height_map.size))};
 }
 
+ViewAxis albedo_axis() {
+    ViewAxis axis{"albedo",
+                  {.unit = "",
+                   .values = "an image file, or none",
+                   .help = "colours of the surface, sRGB; a height map's object may have its own",
+                   .also_called = {"colour", "color", "diffuse", "base_color", "basecolor", "colormap"}},
+                  [](const JsonView& json) -> ViewSetting {
+                      const std::string file = json.string();
+                      if (file.empty()) json.fail_expected("the path of an image file, or \"none\"");
+                      return [file](ViewKey& view) { view.height_map.albedo = file == no_albedo ? "" : file; };
+                  },
+                  [](const ViewKey& view) {
+                      const std::filesystem::path file = view.height_map.albedo;
+                      return Json(file.empty() ? no_albedo : file.filename().string());
+                  },
+                  Json(no_albedo)};
+    axis.part_of_height_map = true;
+    return axis;
+}
+
 ViewAxis resolution_axis() {
     return {"resolution",
+            {.unit = "pixels",
+             .values = size_values(),
+             .help = "of the image",
+             .also_called = {"size", "width", "height", "res", "pixels", "image_size", "dimensions"}},
             [](const JsonView& json) -> ViewSetting {
                 return [size = read_resolution(json)](ViewKey& view) { view.view.resolution = size; };
             },
@@ -131,97 +104,106 @@ ViewAxis resolution_axis() {
             Json(to_string(plain_view().view.resolution))};
 }
 
-int read_shadow_steps(const JsonView& view) {
-    return static_cast<int>(view.integer(1, most_shadow_steps));
-}
-
-double read_fraction(const JsonView& view) {
-    return view.number(0, 1);
-}
-
-std::vector<ViewAxis> self_shadow_axes() {
+std::vector<ViewAxis> camera_axes() {
     std::vector<ViewAxis> axes;
-    axes.push_back(word_axis<SelfShadow::Mode>(
-        "self_shadow", {"off", "hard", "soft"}, [](auto& key) -> auto& { return key.view.self_shadow.mode; }));
-    axes.push_back(only_where(has_soft_shadows, word_axis<SelfShadow::Soft>(
-                                                    "soft_shadow", {"dykhta", "tatarchuk"},
-                                                    [](auto& key) -> auto& { return key.view.self_shadow.soft; })));
-    axes.push_back(only_where(has_hard_shadows, number_axis(
-                                                    "hard_shadow_bias", read_fraction, [](auto& key) -> auto& {
-                                                        return key.view.self_shadow.hard_bias;
-                                                    })));
-    axes.push_back(only_where(has_dykhta_shadows, number_axis(
-                                                      "dykhta_bias", read_fraction, [](auto& key) -> auto& {
-                                                          return key.view.self_shadow.dykhta_bias;
-                                                      })));
-    axes.push_back(only_where(has_shadow_steps, number_axis(
-                                                    "shadow_min_steps", read_shadow_steps, [](auto& key) -> auto& {
-                                                        return key.view.self_shadow.min_steps;
-                                                    })));
-    axes.push_back(only_where(has_shadow_steps, number_axis(
-                                                    "shadow_max_steps", read_shadow_steps, [](auto& key) -> auto& {
-                                                        return key.view.self_shadow.max_steps;
-                                                    })));
+    axes.push_back(number_axis(
+        "view_angle",
+        {.unit = "degrees",
+         .help = "of the camera: 0 is head-on, towards 90 grazing",
+         .also_called = {"angle", "angles", "theta", "elevation", "tilt", "view", "inclination", "grazing"}},
+        view_angles, [](auto& key) -> auto& { return key.view.camera.view_angle; }));
+    axes.push_back(number_axis(
+        "azimuth",
+        {.unit = "degrees",
+         .help = "of the camera; -90 shows the map as in its file",
+         .also_called = {"angle", "phi", "rotation", "yaw", "heading"}},
+        azimuths, [](auto& key) -> auto& { return key.view.camera.azimuth; }));
+    axes.push_back(word_axis<Projection>(
+        "projection",
+        {.help = "parallel rays have one angle and fill the image with relief",
+         .also_called = {"camera", "orthographic", "ortho"}},
+        {"perspective", "parallel"}, [](auto& key) -> auto& { return key.view.camera.projection; }));
     axes.push_back(
-        only_where(has_tatarchuk_shadows,
-                   number_axis(
-                       "shadow_softening", [](const JsonView& json) { return json.number(0, largest_softening); },
-                       [](auto& key) -> auto& { return key.view.self_shadow.softening; })));
+        only_where(is_perspective, number_axis(
+                                       "distance",
+                                       {.unit = "patch sides",
+                                        .help = "from the eye to the patch's centre; perspective only",
+                                        .also_called = {"zoom", "range", "dist"}},
+                                       distances, [](auto& key) -> auto& { return key.view.camera.distance; })));
+    axes.push_back(
+        only_where(is_perspective, number_axis(
+                                       "fov",
+                                       {.unit = "degrees",
+                                        .help = "vertical field of view; perspective only",
+                                        .also_called = {"field_of_view", "fovy", "focal_length"}},
+                                       fields_of_view, [](auto& key) -> auto& { return key.view.camera.fov; })));
     return axes;
 }
 
-/// What a method has no use for is left at its default.
-void reset_unused(SelfShadow& self_shadow) {
-    const SelfShadow given = self_shadow;
-    self_shadow = SelfShadow{};
-    self_shadow.mode = given.mode;
-    const bool dykhta = given.mode == SelfShadow::Mode::soft && given.soft == SelfShadow::Soft::dykhta;
-    if (given.mode == SelfShadow::Mode::soft) self_shadow.soft = given.soft;
-    if (given.mode == SelfShadow::Mode::hard) self_shadow.hard_bias = given.hard_bias;
-    if (dykhta) self_shadow.dykhta_bias = given.dykhta_bias;
-    if (given.mode == SelfShadow::Mode::hard || dykhta) {
-        self_shadow.min_steps = given.min_steps;
-        self_shadow.max_steps = given.max_steps;
-    }
-    if (given.mode == SelfShadow::Mode::soft && !dykhta) self_shadow.softening = given.softening;
+std::vector<ViewAxis> relief_axes() {
+    std::vector<ViewAxis> axes;
+    axes.push_back(number_axis(
+        "height_scale",
+        {.unit = "patch sides",
+         .help = "depth of the relief",
+         .also_called = {"scale", "depth", "height", "amplitude", "parallax_scale", "bump_scale", "strength"}},
+        height_scales, [](auto& key) -> auto& { return key.view.relief.height_scale; }));
+    axes.push_back(number_axis(
+        "tiling",
+        {.unit = "",
+         .help = "repeats of the height map per patch side",
+         .also_called = {"repeats", "tiles", "uv_scale"}},
+        tilings, [](auto& key) -> auto& { return key.view.relief.tiling; }));
+    axes.push_back(word_axis<Boundary>(
+        "boundary",
+        {.help = "clip: a hit outside the patch is a miss; repeat: the relief goes on for ever",
+         .also_called = {"wrap", "clip", "repeat", "address_mode", "border"}},
+        {"clip", "repeat"}, [](auto& key) -> auto& { return key.view.relief.boundary; }));
+    return axes;
 }
 
 std::vector<ViewAxis> make_view_axes() {
-    const auto positive_to = [](double maximum) {
-        return [maximum](const JsonView& json) { return read_positive(json, maximum); };
-    };
     std::vector<ViewAxis> axes;
+    const auto append = [&axes](std::vector<ViewAxis> others) { std::ranges::move(others, std::back_inserter(axes)); };
     axes.push_back(heightmap_axis());
     axes.push_back(heightmap_size_axis());
+    axes.push_back(albedo_axis());
     axes.push_back(word_axis<HeightFormat>(
-        "height_format", {"r8", "r16", "r32f"}, [](auto& key) -> auto& { return key.height_format; }));
-    axes.push_back(number_axis(
-        "view_angle", read_view_angle, [](auto& key) -> auto& { return key.view.camera.view_angle; }));
-    axes.push_back(number_axis(
-        "azimuth", [](const JsonView& json) { return json.number(-full_turn, full_turn); },
-        [](auto& key) -> auto& { return key.view.camera.azimuth; }));
-    axes.push_back(word_axis<Projection>(
-        "projection", {"perspective", "parallel"}, [](auto& key) -> auto& { return key.view.camera.projection; }));
-    axes.push_back(only_where(is_perspective, number_axis(
-                                                  "distance", positive_to(largest_distance),
-                                                  [](auto& key) -> auto& { return key.view.camera.distance; })));
-    axes.push_back(only_where(is_perspective,
-                              number_axis(
-                                  "fov", [](const JsonView& json) { return json.number(smallest_fov, largest_fov); },
-                                  [](auto& key) -> auto& { return key.view.camera.fov; })));
-    axes.push_back(number_axis(
-        "height_scale", positive_to(largest_height_scale),
-        [](auto& key) -> auto& { return key.view.relief.height_scale; }));
-    axes.push_back(number_axis(
-        "tiling", positive_to(largest_tiling), [](auto& key) -> auto& { return key.view.relief.tiling; }));
-    axes.push_back(word_axis<Boundary>(
-        "boundary", {"clip", "repeat"}, [](auto& key) -> auto& { return key.view.relief.boundary; }));
+        "height_format",
+        {.help = "what heights are stored in for the device",
+         .also_called = {"format", "bits", "bit_depth", "precision"}},
+        {"r8", "r16", "r32f"}, [](auto& key) -> auto& { return key.height_format; }));
+    append(camera_axes());
+    append(relief_axes());
     axes.push_back(resolution_axis());
     for (ViewAxis& axis : self_shadow_axes())
         axes.push_back(moving_no_hits(std::move(axis)));
     axes.push_back(moving_no_hits(word_axis<DepthWrite>(
-        "depth_write", {"on", "off", "conservative"}, [](auto& key) -> auto& { return key.view.depth_write; })));
+        "depth_write",
+        {.help =
+             "depth left to what is drawn with it: the point's, the polygon's, or the point's declared conservative",
+         .also_called = {"depth", "z_write", "zwrite", "early_z"}},
+        {"on", "off", "conservative"}, [](auto& key) -> auto& { return key.view.depth_write; })));
     return axes;
+}
+
+/// What is swept as the axes of the view are, and is a parameter of techniques.
+const AxisDescription& sample_count_description() {
+    static const AxisDescription description{
+        .unit = "steps",
+        .values = "integers from 1",
+        .help = "the sample count of every technique that has one (`list techniques` marks it)",
+        .also_called = {"samples", "sample", "steps", "step", "layers", "num_samples", "num_steps", "num_layers",
+                        "iterations", "taps", "slices", "linear_steps", "step_count", "layer_count"}};
+    return description;
+}
+
+Json axis_to_json(const std::string& name, const AxisDescription& description, const Json& default_value) {
+    return {{"axis", name},
+            {"unit", description.unit},
+            {"default", default_value},
+            {"values", description.values},
+            {"description", description.help}};
 }
 
 }  // namespace
@@ -229,6 +211,29 @@ std::vector<ViewAxis> make_view_axes() {
 const std::vector<ViewAxis>& view_axes() {
     static const std::vector<ViewAxis> axes = make_view_axes();
     return axes;
+}
+
+Json axis_list_json() {
+    Json json = Json::array();
+    for (const ViewAxis& axis : view_axes())
+        json.push_back(axis_to_json(axis.name, axis.description, axis.default_value));
+    json.push_back(axis_to_json("sample_count", sample_count_description(), nullptr));
+    return json;
+}
+
+std::vector<std::string> axes_also_called(const std::string& word) {
+    std::string lower = word;
+    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::ranges::replace(lower, '-', '_');
+    const auto has_word = [&](const AxisDescription& description) {
+        return std::ranges::find(description.also_called, lower) != description.also_called.end();
+    };
+    std::vector<std::string> names;
+    for (const ViewAxis& axis : view_axes()) {
+        if (has_word(axis.description)) names.push_back(axis.name);
+    }
+    if (has_word(sample_count_description())) names.emplace_back("sample_count");
+    return names;
 }
 
 const ViewAxis* find_view_axis(const std::string& name) {
@@ -266,7 +271,7 @@ std::string view_id(const ViewKey& view) {
     std::string id;
     for (const ViewAxis& axis : view_axes()) {
         const Json value = axis.value(view);
-        if (value.is_null() || value == axis.default_value) continue;
+        if (axis.part_of_height_map || value.is_null() || value == axis.default_value) continue;
         if (!id.empty()) id += ' ';
         id += axis.name + '=' + scalar_text(value);
     }

@@ -196,6 +196,25 @@ TEST_F(Ab, ANewParameterAtItsDefaultIsNoOtherCell) {
     EXPECT_THAT(set.out, HasSubstr("no parameter extra, which is 3 here"));
 }
 
+/// A copy of a shipped technique, edited or not, needs no other name.
+TEST_F(Ab, ACopyOfAShippedTechniqueTakesItsPlace) {
+    copy_technique("steep", "steep");
+    write("techniques/steep/trace.glsl", read_file(path("techniques/steep/trace.glsl")) + "// edited\n");
+    const std::string shipped = std::string(RELIEFBENCH_SOURCE_DIR) + "/techniques";
+    const Outcome outcome = ab({"--baseline", shipped, "-a", "technique=steep", "--budget", "1s"});
+    ASSERT_THAT(outcome.code, testing::AnyOf(0, 1, 3)) << outcome.err;
+    const Json json = Json::parse(outcome.out);
+    ASSERT_EQ(json.at("cells").size(), 1U) << json;
+    EXPECT_NE(json.at("environment").at("base").at("techniques").at("steep"),
+              json.at("environment").at("new").at("techniques").at("steep"));
+    EXPECT_THAT(outcome.out, HasSubstr("in place of the shipped ones: " + path("techniques/steep")));
+    EXPECT_THAT(outcome.out, testing::Not(HasSubstr("the sources are the same on both sides")));
+    // Both sides by name.
+    std::filesystem::copy(path("techniques/steep"), path("base/steep"));
+    const Outcome copies = ab({"-a", "technique=steep", "--budget", "1s"});
+    EXPECT_THAT(copies.out, HasSubstr("the sources are the same on both sides: steep"));
+}
+
 TEST_F(Ab, BadInputIsRefusedBeforeAnythingIsMeasured) {
     struct Case {
         std::vector<std::string> arguments;

@@ -42,6 +42,27 @@ std::vector<std::string> cell_ids(const std::vector<Json>& cells) {
     return ids;
 }
 
+TEST_F(EndToEnd, ALogTellsFromItsFirstLinesWhatIsDone) {
+    const std::string configuration = write_configuration("long.json", long_configuration());
+    const Outcome outcome = reliefbench({"run", configuration, "--sampling", "rounds=1", "-o", path("run")});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("[ 0/12] 0:00 elapsed: reading height maps: bricks\n"),
+                                   HasSubstr("[ 0/12] 0:00 elapsed: preparing 1 of 12: steep")));
+    EXPECT_EQ(Json::parse(read_file(path("run/run.json"))).at("configuration").at("sampling").at("rounds"), 1);
+}
+
+TEST_F(EndToEnd, AxesAreListedForPeopleAndPrograms) {
+    const Outcome table = reliefbench({"list", "axes"});
+    EXPECT_THAT(table.out,
+                AllOf(HasSubstr("view_angle "), HasSubstr("from 0 to below 90"), HasSubstr("sample_count ")));
+    const Json axes = Json::parse(reliefbench({"list", "axes", "--format", "json"}).out);
+    for (const Json& axis : axes) {
+        EXPECT_THAT(table.out, HasSubstr(axis.at("axis").get<std::string>()));
+        EXPECT_THAT(table.out, HasSubstr(axis.at("description").get<std::string>()));
+    }
+    EXPECT_EQ(reliefbench({"list", "axes", "--format", "xml"}).code, 2);
+}
+
 TEST_F(EndToEnd, SmokeRunsValidatesAndRepeats) {
     const Outcome first = reliefbench({"run", shipped("smoke.json"), "--validate", "-o", path("first")});
     ASSERT_EQ(first.code, 0) << first.err;

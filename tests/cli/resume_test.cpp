@@ -120,7 +120,7 @@ TEST_F(Resume, WhatIsFinishedIsShownAndNotMeasuredAgain) {
     const std::string cells = read_file(path("run/cells.jsonl"));
     const Outcome second = reliefbench({"run", config, "-o", path("run"), "--resume"});
     EXPECT_EQ(second.code, 0) << second.err;
-    EXPECT_THAT(second.err, HasSubstr("1 of them are finished already"));
+    EXPECT_THAT(second.err, HasSubstr("finished already: 1 cell"));
     EXPECT_THAT(second.out, HasSubstr("steep"));
     EXPECT_EQ(read_file(path("run/cells.jsonl")), cells);
     EXPECT_EQ(Json::parse(read_file(path("run/run.json"))).at("resumed").size(), 1U);

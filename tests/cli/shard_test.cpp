@@ -55,6 +55,16 @@ TEST_F(Shards, MeasuredApartAndMergedAreTheWholeRun) {
     EXPECT_EQ(reliefbench({"export", path("whole"), "--format", "csv", "-o", path("whole.csv")}).code, 0);
 }
 
+TEST_F(Shards, OneThatMeasuresNothingSaysSo) {
+    const std::string config = write_configuration("tiny.json", tiny_configuration());
+    EXPECT_THAT(reliefbench({"run", config, "--dry-run", "--shard", "1/3"}).err, testing::IsEmpty());
+    const std::string words = "shard 3/3 measures nothing: there is only 1 block to deal to 3 shards";
+    EXPECT_THAT(reliefbench({"run", config, "--dry-run", "--shard", "3/3"}).err, HasSubstr(words));
+    const Outcome outcome = reliefbench({"run", config, "--shard", "3/3", "-o", path("nothing")});
+    EXPECT_EQ(outcome.code, 0) << "its folder is what `merge` asks for";
+    EXPECT_THAT(outcome.err, HasSubstr(words));
+}
+
 TEST_F(Shards, NonsenseIsRefused) {
     const std::string config = write_configuration("tiny.json", tiny_configuration());
     EXPECT_EQ(reliefbench({"run", config, "-o", path("run"), "--shard", "3/2"}).code, 2);

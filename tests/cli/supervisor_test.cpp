@@ -3,6 +3,7 @@
 #include "command_line.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <chrono>
@@ -151,6 +152,17 @@ TEST_F(Supervisor, AWorkerThatIsKilledIsReplacedAndNothingIsLost) {
     EXPECT_EQ(cells.size(), 12U);
     for (const Json& cell : cells)
         EXPECT_EQ(cell.at("time").at("draw").at("rounds"), 40) << cell.at("cell");
+}
+
+TEST_F(Supervisor, AWorkerThatTakesOverHasTheConfigurationThatAPipeGaveOnce) {
+    ASSERT_EQ(mkfifo(path("fifo").c_str(), 0600), 0);
+    const pid_t process = start({"run", path("fifo"), "-o", path("run")});
+    write("fifo", long_configuration().dump());
+    await_samples("run");
+    kill(child_of(process), SIGKILL);
+    EXPECT_EQ(exit_code_of(process), 0) << read_file(path("err"));
+    EXPECT_THAT(read_file(path("err")), HasSubstr("signal 9"));
+    EXPECT_EQ(read_lines(path("run/cells.jsonl")).size(), 12U);
 }
 
 TEST_F(Supervisor, WhatIsStoppedAndGoesOnIsNotTakenForHanging) {

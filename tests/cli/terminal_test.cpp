@@ -62,6 +62,17 @@ protected:
 
 constexpr const char* bold_mark = "\033[1m*\033[0m";
 
+TEST_F(Terminal, EveryStageIsSeenWhileItLasts) {
+    EXPECT_THAT(on_terminal({"run", tiny(), "-o", path("seen")}, true),
+                AllOf(HasSubstr("reading height maps: bricks"), HasSubstr("preparing 1 of 1, compiling: steep"),
+                      HasSubstr("preparing 1 of 1, tracing the truth: steep"), HasSubstr("warming up 1 of 1: steep")));
+}
+
+TEST_F(Terminal, APictureIsNotSentToIt) {
+    const std::string seen = on_terminal({"render", "--technique", "flat", "-o", "-"}, true);
+    EXPECT_THAT(seen, AllOf(HasSubstr("standard output is a terminal"), Not(HasSubstr("PNG"))));
+}
+
 TEST_F(Terminal, TheTableHasColoursWhereItIsSeenAndWanted) {
     const std::string seen = on_terminal({"run", tiny(), "-o", path("seen")}, false);
     EXPECT_THAT(seen, AllOf(HasSubstr(bold_mark), HasSubstr("elapsed"), HasSubstr("[1/1]")));

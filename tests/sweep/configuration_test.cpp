@@ -172,10 +172,10 @@ TEST(Configuration, WhatIsWrongIsNamedWithItsPlace) {
          "$.axes.factor: none of the techniques selected has a parameter 'factor', but mesh "
          "has; select it"},
         {with_axis(R"("view_angle": [0, 90])"),
-         "$.axes.view_angle[1]: expected an angle in degrees from 0 to below 90, "
+         "$.axes.view_angle[1]: expected a number from 0 to below 90, "
          "found 90"},
         {with_axis(R"("view_angle": -1)"), "$.axes.view_angle: expected"},
-        {with_axis(R"("view_angle": "60")"), "$.axes.view_angle: expected an angle"},
+        {with_axis(R"("view_angle": "60")"), "$.axes.view_angle: expected a number from 0 to below 90"},
         {with_axis(R"("view_angle": [])"), "$.axes.view_angle: expected at least one value"},
         {with_axis(R"("projection": "paralel")"), "(did you mean 'parallel'?)"},
         {with_axis(R"("resolution": "0x256")"),
@@ -187,7 +187,7 @@ TEST(Configuration, WhatIsWrongIsNamedWithItsPlace) {
         {with_axis(R"("resolution": 256.5)"), "$.axes.resolution: expected an integer"},
         {with_axis(R"("heightmap_size": -4)"), "$.axes.heightmap_size: expected an integer from 1 to 16384"},
         {with_axis(R"("height_scale": 0)"), "$.axes.height_scale: expected a number above 0, up to 10"},
-        {with_axis(R"("tiling": -1)"), "$.axes.tiling: expected a number from 0 to 1024"},
+        {with_axis(R"("tiling": -1)"), "$.axes.tiling: expected a number above 0, up to 1024"},
         {with_axis(R"("fov": 180)"), "$.axes.fov: expected a number from 1 to 170"},
         {with_axis(R"("azimuth": 400)"), "$.axes.azimuth: expected a number from -360 to 360"},
         {with_axis(R"("distance": 0)"), "$.axes.distance: expected a number above 0"},
@@ -209,7 +209,8 @@ TEST(Configuration, WhatIsWrongIsNamedWithItsPlace) {
         {with_member(R"("zip": [["view_angle"]])"), "$.zip[0]: a zip ties at least two axes"},
         {with_member(R"("zip": [["view_angle", "view_angle"]])"), "$.zip[0]: the axis 'view_angle' is tied twice"},
         {with_member(R"("exclude": [{"view_angel": 60}])"), "$.exclude[0].view_angel: 'view_angel' is neither"},
-        {with_member(R"("exclude": [{"view_angle": 95}])"), "$.exclude[0].view_angle: expected an angle"},
+        {with_member(R"("exclude": [{"view_angle": 95}])"),
+         "$.exclude[0].view_angle: expected a number from 0 to below 90"},
         {with_member(R"("exclude": [{"technique": "marsh"}])"), "$.exclude[0].technique: unknown technique 'marsh'"},
         {with_member(R"("exclude": [{"leaf": "exat"}])"), "$.exclude[0].leaf: leaf cannot be exat"},
         {with_member(R"("exclude": [{}])"), "$.exclude[0]: expected at least one condition"},
@@ -260,7 +261,7 @@ TEST(Overrides, ReplaceAddAndAreNamedInMessages) {
     EXPECT_THAT(ids(parse(text, {"heightmap=bricks", "view_angle=[0:80:80]"})),
                 ElementsAre("plain | heightmap=bricks", "plain | heightmap=bricks view_angle=80"));
     EXPECT_THAT(message_of(text, {"view_angle=95"}),
-                HasSubstr("-a view_angle=95: view_angle: expected an angle in degrees from 0 to below 90, found 95"));
+                HasSubstr("-a view_angle=95: view_angle: expected a number from 0 to below 90, found 95"));
     EXPECT_THAT(message_of(text, {"view_angel=5"}), AllOf(HasSubstr("-a view_angel=5"), HasSubstr("'view_angle'")));
     EXPECT_THAT(message_of(text, {"heightmap=rok"}), AllOf(HasSubstr("-a heightmap=rok"), HasSubstr("'rock'")));
     EXPECT_THAT(message_of(text, {"view_angle=5", "view_angle=6"}),
@@ -292,6 +293,63 @@ TEST(Overrides, OfATiedAxisHoldForAllThatItWasTiedTo) {
                             "plain | heightmap=rock view_angle=60 tiling=2"));
     EXPECT_THAT(ids(parse(text, {"view_angle=5", "heightmap=rock"})),
                 ElementsAre("plain | heightmap=rock view_angle=5", "plain | heightmap=rock view_angle=5 tiling=2"));
+}
+
+TEST(Overrides, ThatTakeAnAxisOutOfItsZipSaySo) {
+    const std::string text = with(
+        R"("axes": {"heightmap": "rock", "view_angle": [0, 60], "tiling": [1, 2]}, "zip": [["view_angle", "tiling"]])",
+        R"(["plain"])");
+    testing::internal::CaptureStderr();
+    parse(text, {"view_angle=30"});
+    EXPECT_THAT(testing::internal::GetCapturedStderr(),
+                AllOf(HasSubstr("-a view_angle=30: the configuration ties view_angle to tiling (\"zip\")"),
+                      HasSubstr("tied no more")));
+    testing::internal::CaptureStderr();
+    parse(text, {"heightmap=bricks"});
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Overrides, OfAnUnknownAxisSayWhatItIsCalledHere) {
+    const std::string text = with(R"("axes": {"heightmap": "rock"})", R"(["march"])");
+    struct Word {
+        const char* override;
+        const char* answer;
+    };
+    const Word words[] = {
+        {"samples=8", "called sample_count"},
+        {"steps=8", "called sample_count"},
+        {"layers=8", "called sample_count"},
+        {"angle=8", "called view_angle or azimuth"},
+        {"size=8", "called heightmap_size or resolution"},
+        {"depth=8", "called height_scale or depth_write"},
+        {"Shadows=hard", "called self_shadow"},
+        {"rounds=8", "--sampling rounds=..."},
+        {"lighting=8", "stands in a configuration beside its axes"},
+        {"tilling=8", "did you mean 'tiling'"},
+        {"qwertz=8", "`reliefbench list axes`"},
+    };
+    for (const Word& word : words)
+        EXPECT_THAT(message_of(text, {word.override}), HasSubstr(word.answer)) << word.override;
+    EXPECT_THAT(
+        error_message([&] { filter_cells(expand(parse(text), fake_techniques()), {"samples=8"}, fake_techniques()); }),
+        HasSubstr("called sample_count"));
+}
+
+TEST(Sampling, IsSetByName) {
+    Configuration configuration = parse(with(R"("axes": {"heightmap": "rock"})", R"(["plain"])"));
+    set_sampling(configuration, {"rule=fixed,rounds=3", "warm_up=0"});
+    EXPECT_EQ(configuration.sampling.rule, SamplingSettings::Rule::fixed);
+    EXPECT_EQ(configuration.sampling.rounds, 3);
+    EXPECT_EQ(configuration.sampling.warm_up, 0);
+    EXPECT_EQ(configuration.sampling.precision, SamplingSettings{}.precision);
+    EXPECT_EQ(configuration.expanded.at("sampling").at("rounds"), 3);
+    const auto message = [&](const std::string& setting) {
+        return error_message([&] { set_sampling(configuration, {setting}); });
+    };
+    EXPECT_THAT(message("round=3"), AllOf(HasSubstr("--sampling round=3"), HasSubstr("did you mean 'rounds'")));
+    EXPECT_THAT(message("rule=precision"), HasSubstr("expected at least 6 rounds"));
+    EXPECT_THAT(message("rounds=many"), HasSubstr("expected an integer"));
+    EXPECT_THAT(message("rounds"), HasSubstr("expected name=value"));
 }
 
 TEST(Overrides, OfTechniquesKeepTheParametersOfThoseSelectedBefore) {
@@ -339,7 +397,8 @@ protected:
     Configuration read(const std::string& heightmap, const std::vector<std::string>& overrides = {}) {
         const std::string text = with(R"("axes": {"heightmap": )" + heightmap + "}", R"(["plain"])");
         write_text_file(root_ / "configs" / "test.json", text);
-        return read_configuration(root_ / "configs" / "test.json", overrides, fake_techniques());
+        const std::filesystem::path file = root_ / "configs" / "test.json";
+        return parse_configuration(read_json_file(file), file.string(), overrides, fake_techniques());
     }
     std::string source(const Configuration& configuration) {
         return expand(configuration, fake_techniques()).front().view.height_map.name;
@@ -412,9 +471,52 @@ TEST_F(ConfigurationFiles, OfOneBaseNameCannotBeToldApart) {
                 AllOf(HasSubstr("configs/both.png"), HasSubstr("other/both.png"), HasSubstr("rename")));
 }
 
-TEST_F(ConfigurationFiles, ThatCannotBeReadAreErrors) {
-    EXPECT_THROW(read_configuration(root_ / "configs" / "none.json", {}, fake_techniques()), Error);
-    EXPECT_THROW(read_configuration(root_ / "configs", {}, fake_techniques()), Error);
+TEST_F(ConfigurationFiles, OfAlbedosAreAnAxisAndPartOfTheMapsName) {
+    const std::string own = R"({"name": "rock", "albedo": "both.png"})";
+    const auto albedo = [&](const std::string& heightmap, const std::vector<std::string>& overrides) {
+        return expand(read(heightmap, overrides), fake_techniques()).front().view.height_map.albedo;
+    };
+    const auto names = [](const std::vector<Cell>& cells) {
+        std::vector<std::string> found;
+        for (const Cell& cell : cells)
+            found.push_back(cell.id);
+        return found;
+    };
+    EXPECT_EQ(albedo(R"("rock")", {"albedo=skin.jpg"}), (root_ / "here/skin.jpg").string());
+    EXPECT_EQ(albedo(own, {}), (root_ / "configs/both.png").string());
+    EXPECT_EQ(albedo(own, {"albedo=skin.jpg"}), (root_ / "here/skin.jpg").string()) << "what is asked for last";
+    EXPECT_EQ(albedo(own, {"albedo=none"}), "");
+    const std::vector<Cell> cells =
+        expand(read(R"(["rock", "both.png"])", {"albedo=none,skin.jpg"}), fake_techniques());
+    EXPECT_THAT(names(cells), ElementsAre("plain | heightmap=rock", "plain | heightmap=rock+albedo=skin.jpg",
+                                          "plain | heightmap=both.png", "plain | heightmap=both.png+albedo=skin.jpg"));
+    EXPECT_THAT(names(filter_cells(cells, {"albedo=skin.jpg", "heightmap=rock"}, fake_techniques())),
+                ElementsAre("plain | heightmap=rock+albedo=skin.jpg"));
+    EXPECT_FALSE(axes_to_json(cells[1].view).contains("albedo"));
+    EXPECT_THAT(error_message([&] { read(R"("rock")", {"albedo=gone.png"}); }),
+                AllOf(HasSubstr("-a albedo=gone.png"), HasSubstr("no file 'gone.png'")));
+}
+
+TEST_F(ConfigurationFiles, OfAPipeAreTakenFromTheWorkingDirectory) {
+    const Json json = parse_json(with(R"("axes": {"heightmap": "both.png"})", R"(["plain"])"), "test");
+    for (const char* file : {"standard input", "/dev/stdin", "/dev/fd/63", "/proc/self/fd/0"}) {
+        const Configuration configuration = parse_configuration(json, file, {}, fake_techniques());
+        EXPECT_EQ(source(configuration), (root_ / "here/both.png").string()) << file;
+        EXPECT_EQ(configuration.name, "configuration") << file;
+    }
+}
+
+TEST_F(ConfigurationFiles, WithCommasAndBracketsAreWrittenAsJson) {
+    const std::string name = "sp ace, [x]=d|\u00e9<i>.png";
+    write_text_file(root_ / "here" / name, "not read");
+    const std::string quoted = "[" + Json(name).dump() + "]";
+    const Configuration configuration = read(R"("rock")", {"heightmap=" + quoted});
+    EXPECT_EQ(source(configuration), (root_ / "here" / name).string());
+    const std::vector<Cell> cells = expand(configuration, fake_techniques());
+    EXPECT_EQ(filter_cells(cells, {"heightmap=" + quoted}, fake_techniques()).size(), 1U);
+    EXPECT_EQ(filter_cells(cells, {"heightmap=rock," + quoted}, fake_techniques()).size(), 1U);
+    EXPECT_THAT(error_message([&] { filter_cells(cells, {"heightmap!=" + quoted}, fake_techniques()); }),
+                HasSubstr("no cell"));
 }
 
 }  // namespace

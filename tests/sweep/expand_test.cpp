@@ -313,6 +313,8 @@ TEST(Filter, KeepsCellsForWhichAllHold) {
     EXPECT_THAT(filtered({"technique=plain", "heightmap=rock", "view_angle=60"}),
                 ElementsAre("plain | heightmap=rock view_angle=60"));
     EXPECT_THAT(filtered({"resolution=256", "view_angle<1"}), SizeIs(10));
+    EXPECT_THAT(filtered({"technique=[\"march\",\"tree\"]"}), SizeIs(16));
+    EXPECT_THAT(filtered({"view_angle=[0:60:60]"}), SizeIs(20));
 }
 
 TEST(Filter, ThatCannotBeReadIsAnError) {

@@ -47,7 +47,35 @@ TEST(Override, AnObjectIsOneValue) {
                 ElementsAre(parse_json(R"({"file": "a.png", "invert": true})", "test")));
 }
 
+TEST(Override, ValuesWithCommasAndBracketsAreJson) {
+    EXPECT_THAT(parse_override(R"(heightmap=["a b,c.png","d"])").values, ElementsAre(Json("a b,c.png"), Json("d")));
+    EXPECT_THAT(parse_override(R"(heightmap="a,b.png",rock)").values, ElementsAre(Json("a,b.png"), Json("rock")));
+    EXPECT_THAT(parse_override(R"(heightmap=["sp ace/a b,c=d|é\"<i>.png"])").values,
+                ElementsAre(Json("sp ace/a b,c=d|é\"<i>.png")));
+    EXPECT_THAT(
+        parse_override(R"(heightmap=["[1].png", {"file": "a,b.png", "height_range": [0, 2]}],rock)").values,
+        ElementsAre(Json("[1].png"), Json::parse(R"({"file": "a,b.png", "height_range": [0, 2]})"), Json("rock")));
+    EXPECT_THAT(parse_override("view_angle=[0,30.5,60]").values, ElementsAre(Json(0), Json(30.5), Json(60)));
+    EXPECT_THAT(parse_override("view_angle=[0, 30],45,[50:60:10]").values,
+                ElementsAre(Json(0), Json(30), Json(45), Json(50), Json(60)));
+}
+
+TEST(Override, BracketsInsideAWordKeepItsCommas) {
+    EXPECT_THAT(parse_override("heightmap=a[1,2].png,b],c").values,
+                ElementsAre(Json("a[1,2].png"), Json("b]"), Json("c")));
+}
+
+TEST(Override, NamesOfTechniquesAndFilesAreNoNumbers) {
+    EXPECT_THAT(parse_override("heightmap=256,true").values, ElementsAre(Json("256"), Json("true")));
+    EXPECT_THAT(parse_override("technique=1e3").values, ElementsAre(Json("1e3")));
+    EXPECT_THAT(parse_override("view_angle=1e1").values, ElementsAre(Json(10.0)));
+}
+
 TEST(Override, ThatCannotBeReadIsAnError) {
+    EXPECT_THAT(message_of("heightmap=[\"a\",b]"), HasSubstr("-a heightmap=[\"a\",b]:1:6"));
+    EXPECT_THAT(message_of("heightmap=[\"a\"]b"), HasSubstr("expected a comma behind [\"a\"], found 'b'"));
+    EXPECT_THAT(message_of("heightmap=\"a"), HasSubstr("lacks its closing quote"));
+    EXPECT_THAT(message_of("heightmap=[\"a]\""), HasSubstr("lacks its closing bracket"));
     EXPECT_THAT(message_of("view_angle"),
                 HasSubstr("-a view_angle: expected name=value,value or name=[start:stop:step]"));
     EXPECT_THAT(message_of("=3"), HasSubstr("expected name=value"));

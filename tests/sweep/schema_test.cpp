@@ -45,7 +45,8 @@ std::vector<Manifest> shipped_techniques() {
 
 std::vector<Cell> expand_shipped(const std::string& name) {
     const std::vector<Manifest> techniques = shipped_techniques();
-    return expand(read_configuration(configs / name, {}, techniques), techniques);
+    return expand(parse_configuration(read_json_file(configs / name), (configs / name).string(), {}, techniques),
+                  techniques);
 }
 
 TEST(Schema, HasTheKeysThatTheParserTakes) {
