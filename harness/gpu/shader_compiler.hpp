@@ -32,8 +32,10 @@ struct ShaderSource {
     std::function<void(const SpirV&)> inspect = {};
 };
 
-/// GLSL 4.60 for Vulkan 1.3, #include enabled. An Error has one line per complaint: "file:line: message". glslang has
-/// no bounds of its own (a few lines of macros can expand without end): it runs in a child process with `limits`.
+/// GLSL 4.60 for Vulkan 1.3, #include enabled. An Error tells the first complaint, "file:line:column: sentence", and
+/// shows the line with a caret; the column is one of bytes, and missing where it is not known. Those of `inspect` come
+/// as they are. A byte order mark at the beginning of a file is passed over. glslang has no bounds of its own (a few
+/// lines of macros can expand without end): it runs in a child process with `limits`.
 SpirV compile_shader(const ShaderSource& source, const ChildLimits& limits = {});
 
 }  // namespace reliefbench::gpu

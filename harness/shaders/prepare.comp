@@ -56,6 +56,8 @@ ivec2 previous_size() { return textureSize(previous_map, 0); }
 vec4 previous_level(ivec2 texel) { return texelFetch(previous_map, clamp(texel, ivec2(0), previous_size() - 1), 0); }
 #endif
 
+void prepare(RELIEFBENCH_TEXEL texel);
+
 #include "pass.glsl"
 
 void main() {
