@@ -44,6 +44,10 @@ vec4 tap_height_cell(ivec2 cell) {
     return textureGather(height_texels, vec2(cell + 1) / vec2(height_map_size()), 0).wzxy;
 }
 
+// Of a derived map. By its base alone: of textureSize with a level that differs from pixel to pixel lavapipe gives all of
+// them the size of one pixel's level.
+ivec2 map_size(sampler2D map, int level) { return max(textureSize(map, 0) >> level, ivec2(1)); }
+
 bool between_levels(float lod) { return lod > 0.0 && fract(lod) > 0.0; }
 
 // A derived map through its own filter, repeating.
@@ -74,6 +78,21 @@ vec4 tap_map_texel(sampler2D map, ivec2 texel, int lod) {
 vec4 tap_map_texel(sampler3D map, ivec3 texel, int lod) {
     count_tap(1u);
     return texelFetch(map, texel, lod);
+}
+
+// As tap_height_cell of one channel, 0 to 3, of a derived map's base, whatever its filter.
+vec4 tap_map_cell(sampler2D map, ivec2 cell, int channel) {
+    count_tap(4u);
+    vec2 place = vec2(cell + 1) / vec2(map_size(map, 0));
+    switch (channel) {
+        case 1:
+            return textureGather(map, place, 1).wzxy;
+        case 2:
+            return textureGather(map, place, 2).wzxy;
+        case 3:
+            return textureGather(map, place, 3).wzxy;
+    }
+    return textureGather(map, place, 0).wzxy;
 }
 
 #endif

@@ -25,7 +25,7 @@ const char* remedy(gpu::Fetch::Kind kind) {
         case gpu::Fetch::Kind::texel:
             return "use tap_height_texel(texel), or tap_map_texel(map, texel, lod) for another map";
         case gpu::Fetch::Kind::gather:
-            return "use tap_height_cell(cell)";
+            return "use tap_height_cell(cell), or tap_map_cell(map, cell, channel) for another map";
         case gpu::Fetch::Kind::stored:
             return "use tap_map_texel(map, texel, lod) on a map that a pass has written";
     }

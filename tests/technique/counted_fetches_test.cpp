@@ -45,8 +45,9 @@ TEST_F(CountedFetches, AFetchOfTheHeightMapPastThemIsRefusedWithItsPlace) {
                                HasSubstr("use tap_height(uv)"), Not(HasSubstr("surface.glsl"))));
     EXPECT_THAT(refusal_of("", "texelFetch(height_texels, ivec2(0), 0).r"),
                 AllOf(HasSubstr("trace.glsl:2:"), HasSubstr("use tap_height_texel(texel)")));
-    EXPECT_THAT(refusal_of("", "textureGather(height_texels, ray.uv, 0).r"),
-                AllOf(HasSubstr("trace.glsl:2:"), HasSubstr("use tap_height_cell(cell)")));
+    EXPECT_THAT(
+        refusal_of("", "textureGather(height_texels, ray.uv, 0).r"),
+        AllOf(HasSubstr("trace.glsl:2:"), HasSubstr("use tap_height_cell(cell), or tap_map_cell(map, cell, channel)")));
 }
 
 TEST_F(CountedFetches, SoIsOneOfShadingsMaps) {

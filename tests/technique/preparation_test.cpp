@@ -373,5 +373,62 @@ TEST_F(PreparationOnDevice, FilterDeviationIsSmall) {
     EXPECT_GT(r8, 0);
 }
 
+/// One map of three channels, 5x3 and its levels, each texel of level 0 with numbers of its own.
+Files numbered_map(const std::string& trace) {
+    return {{"technique.json",
+             manifest_json(
+                 "", R"(, "maps": [{"name": "numbers", "format": "rgba32f", "mip_chain": true, "linear_filter": true}],
+                                    "passes": [{"name": "base", "shader": "base.glsl", "writes": "numbers"},
+                                               {"name": "levels", "shader": "levels.glsl", "writes": "numbers",
+                                                "levels": "above_base"}])")},
+            {"base.glsl",
+             "void prepare(ivec2 texel) {\n    float n = float(texel.y * map_size().x + texel.x);\n"
+             "    write_map(vec4(n, n + 100.0, n + 200.0, n + 300.0));\n}\n"},
+            {"levels.glsl", "void prepare(ivec2 texel) { write_map(previous_level(texel)); }\n"},
+            {"trace.glsl", trace}};
+}
+
+// Neighbours ask for different levels; lavapipe's textureSize gives them one of their sizes.
+TEST_F(PreparationOnDevice, EachPixelGetsTheSizeOfItsOwnLevel) {
+    const TemporaryTechnique folder(numbered_map(R"(
+        Trace trace(ReliefRay ray) {
+            ivec2 pixel = ivec2(gl_FragCoord.xy);
+            ivec2 size = map_size(numbers, (pixel.x + pixel.y) % 4);
+            return hit_off_ray(ray.uv, float(10 * size.x + size.y) / 100.0, 0);
+        })"));
+    const SceneOnDevice scene(device(), make_map({5, 3}, [](int, int) { return 1.0; }), grey_albedo());
+    const Probe probe =
+        make_renderer(device(), folder.load(), scene, make_view(0, Projection::parallel, {8, 8})).probe();
+    const float sizes[] = {0.53F, 0.21F, 0.11F, 0.11F};
+    for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 8; ++x)
+            EXPECT_FLOAT_EQ(probe.hits.at(x, y).h, sizes[(x + y) % 4]) << x << ' ' << y;
+    }
+}
+
+TEST_F(PreparationOnDevice, AGatherOfADerivedMapIsItsFourTexelsAndOneTap) {
+    const TemporaryTechnique folder(numbered_map(R"(
+        ivec2 wrapped(ivec2 texel) { return (texel % ivec2(5, 3) + ivec2(5, 3)) % ivec2(5, 3); }
+        Trace trace(ReliefRay ray) {
+            ivec2 cell = ivec2(gl_FragCoord.xy) - 7;
+            int channel = (cell.x + cell.y + 14) % 4;
+            vec4 found = tap_map_cell(numbers, cell, channel);
+            vec4 expected;
+            for (int i = 0; i < 4; ++i) {
+                ivec2 texel = wrapped(cell + ivec2(i & 1, i >> 1));
+                expected[i] = float(texel.y * 5 + texel.x + 100 * channel);
+            }
+            return hit_off_ray(ray.uv, found == expected ? 1.0 : 0.0, 0);
+        })"));
+    const SceneOnDevice scene(device(), make_map({5, 3}, [](int, int) { return 1.0; }), grey_albedo());
+    const Probe probe =
+        make_renderer(device(), folder.load(), scene, make_view(0, Projection::parallel, {16, 16})).probe();
+    for (std::size_t i = 0; i < probe.hits.texels.size(); ++i) {
+        EXPECT_EQ(probe.hits.texels[i].h, 1.0F) << i;
+        EXPECT_EQ(probe.work.texels[i].taps, 1U);
+        EXPECT_EQ(probe.work.texels[i].texels, 4U);
+    }
+}
+
 }  // namespace
 }  // namespace reliefbench
