@@ -63,12 +63,17 @@ void reset_idle(const Manifest& manifest, ParameterValues& values) {
     }
 }
 
+std::vector<std::string> stage_files(Shape::Kind shape) {
+    if (shape == Shape::Kind::quad) return {"quad.vert", "quad.frag"};
+    return {"patches.vert", "control.tesc", "evaluation.tese", "patches.frag"};
+}
+
 Manifest load_manifest(const std::filesystem::path& folder, const std::filesystem::path& shared) {
     // "techniques/pom/" has an empty last component.
     const std::filesystem::path named = folder.has_filename() ? folder : folder.parent_path();
     const std::string id = std::filesystem::absolute(named).lexically_normal().filename().string();
     const std::filesystem::path file = folder / "technique.json";
-    Manifest manifest = parse_manifest(read_json_file(file), id, file.string(), shared);
+    Manifest manifest = parse_manifest(read_json_file(file), id, file.string(), shared, folder);
 
     const auto require_file = [&](const std::filesystem::path& root, const std::string& name, const std::string& why) {
         if (!std::filesystem::is_regular_file(root / name)) {

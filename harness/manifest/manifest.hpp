@@ -115,6 +115,11 @@ struct Shape {
     int patch_corners(const ParameterValues& values) const;
 };
 
+/// The files that a draw of the shape is compiled from, in the pipeline's order: of the shared shaders, and for patches
+/// the technique's own tessellation stages. The shared ones include what else there is (quad.frag the technique's
+/// trace.glsl).
+std::vector<std::string> stage_files(Shape::Kind shape);
+
 /// technique.json, read and checked. Pure data. Its schema is told in docs/adding_a_technique.md.
 struct Manifest {
     /// The folder's name.
@@ -145,8 +150,10 @@ struct Manifest {
 /// Strict: unknown keys, wrong types, names that GLSL cannot take, promises with unknown parameters, passes that write
 /// undeclared maps, are Errors that name the file and the JSON path. The sets of parameters that it includes are files
 /// of the folder `shared` (harness/shaders); one of them, quad.json, belongs to every technique of the shape "quad".
+/// Names that these shaders use (names_of_shaders) are Errors, too; where `folder`, the technique's own, is not given,
+/// only those of what is compiled with every technique of the shape.
 Manifest parse_manifest(const Json& json, const std::string& id, const std::string& file,
-                        const std::filesystem::path& shared = {});
+                        const std::filesystem::path& shared = {}, const std::filesystem::path& folder = {});
 
 /// Reads <folder>/technique.json; the folder's name is the id. Missing shader files are Errors too.
 Manifest load_manifest(const std::filesystem::path& folder, const std::filesystem::path& shared = {});

@@ -5,6 +5,7 @@
 #include "core/suggest.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace reliefbench {
@@ -34,6 +35,12 @@ bool in_range(const Parameter& parameter, double number) {
 }
 
 }  // namespace
+
+std::string compile_time_macro(const Parameter& parameter, const std::string& choice) {
+    std::string macro = choice.empty() ? parameter.name : parameter.name + "_" + choice;
+    std::ranges::transform(macro, macro.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return macro;
+}
 
 bool all_hold(const std::vector<ParameterCondition>& conditions, const ParameterValues& values) {
     return std::ranges::all_of(conditions, [&](const ParameterCondition& condition) {

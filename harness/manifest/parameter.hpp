@@ -44,6 +44,10 @@ struct Parameter {
 /// Values by name. In a cell always complete: every parameter of the technique has one.
 using ParameterValues = std::map<std::string, ParameterValue>;
 
+/// What a parameter of compile time defines for the preprocessor when it has this choice, "LEAF_EXACT", or as a boolean
+/// when it is true, "ADAPTIVE".
+std::string compile_time_macro(const Parameter& parameter, const std::string& choice = {});
+
 /// Whether all of the conditions hold; the values must be complete.
 bool all_hold(const std::vector<ParameterCondition>& conditions, const ParameterValues& values);
 

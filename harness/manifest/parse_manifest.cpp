@@ -4,6 +4,7 @@
 #include "manifest/manifest.hpp"
 #include "manifest/parameter_json.hpp"
 #include "manifest/parse_parameter.hpp"
+#include "manifest/shader_names.hpp"
 #include "manifest/words.hpp"
 
 #include <algorithm>
@@ -261,7 +262,7 @@ void check_id(const std::string& id, const std::string& file) {
 }  // namespace
 
 Manifest parse_manifest(const Json& json, const std::string& id, const std::string& file,
-                        const std::filesystem::path& shared) {
+                        const std::filesystem::path& shared, const std::filesystem::path& folder) {
     check_id(id, file);
     const JsonView view(json, file);
     view.require_only({"title", "kind", "citation", "include", "parameters", "sample_count", "sample_count_minimum",
@@ -303,6 +304,7 @@ Manifest parse_manifest(const Json& json, const std::string& id, const std::stri
     manifest.shape = parse_shape(view.at("shape"), manifest);
     const bool tessellates = std::ranges::find(manifest.features, "tessellationShader") != manifest.features.end();
     if (manifest.shape.kind == Shape::Kind::patches && !tessellates) manifest.features.push_back("tessellationShader");
+    if (!shared.empty()) names.require_none_of(names_of_shaders(manifest, shared, folder));
     for (const JsonView& item : view.at("promises").items()) {
         manifest.promises.push_back(parse_promise(item, manifest));
     }

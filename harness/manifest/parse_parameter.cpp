@@ -37,6 +37,12 @@ std::vector<std::string> parse_choices(const JsonView& view, const std::string& 
     return choices;
 }
 
+void add_macros(const JsonView& view, const Parameter& parameter, GlslNames& names) {
+    if (parameter.type == ParameterType::boolean) names.add(view.at("name"), compile_time_macro(parameter));
+    for (std::size_t i = 0; i < parameter.choices.size(); ++i)
+        names.add(view.at("choices").items()[i], compile_time_macro(parameter, parameter.choices[i]));
+}
+
 void parse_range(const JsonView& view, Parameter& parameter) {
     const std::vector<JsonView> ends = view.items();
     if (ends.size() != 2) view.fail_expected("[minimum, maximum]");
@@ -59,6 +65,14 @@ void GlslNames::add_checked(const JsonView& view) {
 
 void GlslNames::add(const JsonView& view, const std::string& name) {
     if (!names_.insert(name).second) view.fail_here(fmt::format("the name '{}' is given twice", name));
+    places_.emplace_back(name, view);
+}
+
+void GlslNames::require_none_of(const std::set<std::string>& names_of_shaders) const {
+    for (const auto& [name, view] : places_) {
+        if (names_of_shaders.contains(name))
+            view.fail_here(fmt::format("'{}' is a name that the harness's shaders use; choose another", name));
+    }
 }
 
 std::string parse_line(const JsonView& view) {
@@ -93,6 +107,7 @@ Parameter parse_parameter(const JsonView& view, GlslNames& names) {
     }
     parameter.default_value = read_parameter_value(parameter, view.at("default"));
     if (view.has("compile_time")) parameter.compile_time = view.at("compile_time").boolean();
+    if (parameter.compile_time) add_macros(view, parameter, names);
     if (view.has("published")) parameter.published = read_parameter_value(parameter, view.at("published"));
     parameter.help = parse_line(view.at("help"));
     return parameter;

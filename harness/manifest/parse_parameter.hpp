@@ -5,19 +5,25 @@
 
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace reliefbench {
 
-/// Every identifier that the generated preamble declares; two alike would not compile.
+/// Every identifier that the generated preamble declares or defines; two alike would not compile.
 class GlslNames {
 public:
     /// Of a parameter or a map.
     void add_checked(const JsonView& view);
+    /// The JSON of the view must outlive this.
     void add(const JsonView& view, const std::string& name);
+    /// A name that is one of these is an Error at its view.
+    void require_none_of(const std::set<std::string>& names_of_shaders) const;
 
 private:
     std::set<std::string> names_;
+    /// In the order in which they were added.
+    std::vector<std::pair<std::string, JsonView>> places_;
 };
 
 /// A string of one line that is not empty.

@@ -12,14 +12,18 @@ namespace reliefbench {
 namespace {
 
 // GLSL 4.60, section 3.6: what of it has no capital letter, without vector and matrix types, which are recognised by
-// their stems.
+// their stems; and what glslang takes for keywords beside it (GL_KHR_memory_model).
 const std::vector<std::string> keywords = words(
     "const uniform buffer shared attribute varying coherent volatile restrict readonly writeonly layout centroid "
     "flat smooth noperspective patch sample invariant precise break continue do for while switch case default if "
     "else subroutine in out inout int void bool true false float double uint discard return lowp mediump highp "
     "precision struct common partition active asm class union enum typedef template this resource goto inline "
     "noinline public static extern external interface long short half fixed unsigned superp input output filter "
-    "sizeof cast namespace using demote terminate main defined sampler atomic_uint");
+    "sizeof cast namespace using demote terminate main defined sampler atomic_uint "
+    "devicecoherent queuefamilycoherent workgroupcoherent subgroupcoherent shadercallcoherent nonprivate");
+
+// As a parameter of compile time it would define the macro that tells GLSL for Vulkan.
+constexpr std::string_view vulkan_macro = "vulkan";
 
 // Built-in functions, GLSL 4.60 section 8. Redefining one hides it from every shader of the technique.
 const std::vector<std::string> functions = words(
@@ -28,17 +32,12 @@ const std::vector<std::string> functions = words(
     "fma frexp ldexp length distance cross dot normalize faceforward reflect refract transpose determinant "
     "inverse equal any all not texture barrier");
 
-// What harness/shaders defines for techniques (docs/adding_a_technique.md), the members that its macros could meet, and
-// what the generated preamble declares.
-const std::vector<std::string> contract = words(
-    "trace prepare ray uv hit_on_ray hit_off_ray miss unconverged trace_miss trace_on_ray trace_off_ray "
-    "tap_height tap_height_texel tap_height_cell tap_map tap_map_texel height_map height_map_size previous_level "
-    "previous_size write_map level map_size slice_begin slice_end folded_map corner emit_surface derivatives albedo "
-    "view lighting shade technique");
+// Declared by the generated preamble, whatever the technique.
+const std::vector<std::string> preamble_names = words("target_map patch_corners");
 
-// The axes of a view (harness/sweep), which share one namespace with parameters on the command line.
+// The axes of a configuration (harness/sweep), which share one namespace with parameters on the command line.
 const std::vector<std::string> axes = words(
-    "heightmap heightmap_size height_format view_angle azimuth projection distance fov height_scale tiling "
+    "technique heightmap heightmap_size height_format view_angle azimuth projection distance fov height_scale tiling "
     "boundary resolution sample_count self_shadow soft_shadow hard_shadow_bias dykhta_bias shadow_min_steps "
     "shadow_max_steps shadow_softening depth_write");
 
@@ -71,13 +70,14 @@ std::string check_glsl_name(const std::string& name) {
         return fmt::format("'{}' is no usable name: lower case letters, digits and single underscores, a letter first",
                            name);
     }
-    if (name.starts_with("gl_") || is_type(name) || contains(keywords, name) || contains(functions, name)) {
+    if (name.starts_with("gl_") || is_type(name) || contains(keywords, name) || contains(functions, name) ||
+        name == vulkan_macro) {
         return fmt::format("'{}' is a name of GLSL; choose another", name);
     }
-    if (contains(contract, name) || name.starts_with("reliefbench")) {
+    if (contains(preamble_names, name) || name.starts_with("reliefbench")) {
         return fmt::format("'{}' is a name that the harness's shaders use; choose another", name);
     }
-    if (contains(axes, name)) return fmt::format("'{}' is an axis of the view; choose another name", name);
+    if (contains(axes, name)) return fmt::format("'{}' is an axis of a configuration; choose another name", name);
     return {};
 }
 

@@ -5,9 +5,9 @@
 #include "technique/counted_fetches.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
-#include <cctype>
 #include <limits>
 
 namespace reliefbench {
@@ -30,21 +30,17 @@ bool marches(const std::string& kind) {
     return kind == "march" || kind == "hierarchy" || kind == "cone";
 }
 
-std::string upper_case(std::string word) {
-    std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    return word;
-}
-
 /// A constant with its value, and a macro for the preprocessor: what layout qualifiers are chosen by.
 std::string declare_compile_time(const Parameter& parameter, const ParameterValue& value) {
-    const std::string macro = upper_case(parameter.name);
     if (parameter.type == ParameterType::boolean) {
         const bool set = std::get<bool>(value);
-        return fmt::format("const bool {} = {};\n{}", parameter.name, set, set ? "#define " + macro + " 1\n" : "");
+        return fmt::format("const bool {} = {};\n{}", parameter.name, set,
+                           set ? fmt::format("#define {} 1\n", compile_time_macro(parameter)) : "");
     }
     const auto& word = std::get<std::string>(value);
     const auto index = std::ranges::find(parameter.choices, word) - parameter.choices.begin();
-    return fmt::format("const int {} = {};\n#define {}_{} 1\n", parameter.name, index, macro, upper_case(word));
+    return fmt::format("const int {} = {};\n#define {} 1\n", parameter.name, index,
+                       compile_time_macro(parameter, word));
 }
 
 /// A constant for each parameter. Its value comes by specialization, so that all values share one compilation, but for
@@ -116,21 +112,25 @@ gpu::CompiledStage compile_stage(const gpu::Device& device, const Technique& tec
     return {stage, std::move(code)};
 }
 
-struct StageFile {
+struct Stage {
+    const char* extension;
     gpu::ShaderStage stage;
-    const char* file;
     /// Tells patches.glsl which stage includes it.
     const char* definition;
 };
 
-std::vector<StageFile> stage_files(Shape::Kind shape) {
+const Stage& stage_of(const std::string& file) {
     using gpu::ShaderStage;
-    if (shape == Shape::Kind::quad)
-        return {{ShaderStage::vertex, "quad.vert", ""}, {ShaderStage::fragment, "quad.frag", ""}};
-    return {{ShaderStage::vertex, "patches.vert", ""},
-            {ShaderStage::tessellation_control, "control.tesc", "#define RELIEFBENCH_CONTROL 1\n"},
-            {ShaderStage::tessellation_evaluation, "evaluation.tese", "#define RELIEFBENCH_EVALUATION 1\n"},
-            {ShaderStage::fragment, "patches.frag", ""}};
+    static constexpr std::array<Stage, 4> stages{{
+        {".vert", ShaderStage::vertex, ""},
+        {".tesc", ShaderStage::tessellation_control, "#define RELIEFBENCH_CONTROL 1\n"},
+        {".tese", ShaderStage::tessellation_evaluation, "#define RELIEFBENCH_EVALUATION 1\n"},
+        {".frag", ShaderStage::fragment, ""},
+    }};
+    const auto found =
+        std::ranges::find_if(stages, [&](const Stage& stage) { return file.ends_with(stage.extension); });
+    assert(found != stages.end());
+    return *found;
 }
 
 }  // namespace
@@ -163,13 +163,14 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
     }
 
     std::vector<gpu::CompiledStage> stages;
-    for (const StageFile& file : stage_files(manifest.shape.kind)) {
+    for (const std::string& file : stage_files(manifest.shape.kind)) {
+        const Stage& stage = stage_of(file);
         stages.push_back(compile_stage(device, technique, key,
-                                       {.stage = file.stage,
-                                        .file = file.file,
+                                       {.stage = stage.stage,
+                                        .file = file,
                                         .roots = {},
                                         .generated = {},
-                                        .preamble = file.definition + preamble,
+                                        .preamble = stage.definition + preamble,
                                         .inspect = refuse_uncounted_fetches}));
     }
     return stages;
