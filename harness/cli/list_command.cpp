@@ -42,6 +42,13 @@ std::string technique_lines(const Technique& technique) {
             fmt::format("    {:<18} {:<12} {:<24} {}{}\n", parameter.name, to_string(parameter.default_value),
                         allowed_values(parameter), parameter.help, is_sample_count ? " [the axis sample_count]" : "");
     }
+    if (!manifest.map_needs.empty()) {
+        std::vector<std::string> needs;
+        for (const MapNeed need : manifest.map_needs) {
+            needs.push_back(to_string(need));
+        }
+        fmt::print("    needs of the height map: {}\n", join(needs));
+    }
     std::vector<std::string> promises;
     for (const PromiseDeclaration& declaration : manifest.promises) {
         promises.push_back(to_string(declaration.promise));
@@ -171,7 +178,7 @@ void add_list_command(CLI::App& app, ChosenCommand& chosen) {
 
     const auto options = std::make_shared<TechniqueOptions>();
     CLI::App* techniques = list->add_subcommand(
-        "techniques", "Techniques: id, title (kind); parameters with default, values and meaning; promises");
+        "techniques", "Techniques: id, title (kind); parameters with default, values and meaning; needs; promises");
     techniques->footer("Example: reliefbench list techniques --techniques my_techniques\n");
     options->add_to(*techniques);
     techniques->callback([&chosen, options] { chosen = [options] { return list_techniques(*options); }; });

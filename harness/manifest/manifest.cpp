@@ -22,6 +22,18 @@ std::string to_string(Promise promise) {
     return {};
 }
 
+std::string to_string(MapNeed need) {
+    switch (need) {
+        case MapNeed::square:
+            return "square";
+        case MapNeed::power_of_two:
+            return "power_of_two";
+        case MapNeed::untiled:
+            return "untiled";
+    }
+    return {};
+}
+
 int MapDeclaration::slices(const ParameterValues& values) const {
     return depth_parameter ? static_cast<int>(std::get<std::int64_t>(values.at(*depth_parameter))) : depth;
 }

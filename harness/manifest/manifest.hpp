@@ -34,6 +34,18 @@ struct PromiseDeclaration {
     double within = 1;
 };
 
+/// What a technique may need of the height map and of how it lies on the patch.
+enum class MapNeed {
+    /// As wide as it is high.
+    square,
+    /// Each side is a power of two.
+    power_of_two,
+    /// It lies on the patch once: tiling 1, and nothing goes on past the border (boundary clip).
+    untiled,
+};
+
+std::string to_string(MapNeed need);
+
 /// A texture that preparation passes derive from the height map, bound to every shader of the technique under its name.
 struct MapDeclaration {
     enum class Size {
@@ -138,6 +150,8 @@ struct Manifest {
     std::vector<std::string> search_cap = {};
     /// Device features it needs, as the device layer names them: "tessellationShader", ...
     std::vector<std::string> features;
+    /// Without which a cell is skipped; each at most once.
+    std::vector<MapNeed> map_needs = {};
     std::vector<MapDeclaration> maps;
     std::vector<PassDeclaration> passes;
     Shape shape;

@@ -23,6 +23,7 @@ constexpr std::int64_t most_slice_iterations = 32768;
 const std::vector<std::string> promises{"first_hit", "order_1", "order_2", "conservative"};
 const std::vector<std::string> map_sizes{"height_map", "next_power_of_two"};
 const std::vector<std::string> pass_levels{"base", "above_base"};
+const std::vector<std::string> map_need_words{"square", "power_of_two", "untiled"};
 const std::vector<std::string> slicings{"sources", "rows"};
 
 const std::vector<std::string> kinds = words("texture parallax march hierarchy cone geometry");
@@ -65,6 +66,18 @@ std::vector<std::string> parse_search_cap(const JsonView& view, const Manifest& 
             item.fail_here(fmt::format("the parameter '{}' is given twice", names.back()));
     }
     return names;
+}
+
+std::vector<MapNeed> parse_needs(const JsonView& view) {
+    view.require_only({"map"});
+    std::vector<MapNeed> needs;
+    for (const JsonView& item : view.at("map").items()) {
+        const auto need = static_cast<MapNeed>(item.choice(map_need_words));
+        if (std::ranges::find(needs, need) != needs.end())
+            item.fail_here(fmt::format("'{}' is given twice", to_string(need)));
+        needs.push_back(need);
+    }
+    return needs;
 }
 
 void parse_depth(const JsonView& view, const Manifest& manifest, MapDeclaration& map) {
@@ -266,7 +279,7 @@ Manifest parse_manifest(const Json& json, const std::string& id, const std::stri
     check_id(id, file);
     const JsonView view(json, file);
     view.require_only({"title", "kind", "citation", "include", "parameters", "sample_count", "sample_count_minimum",
-                       "search_cap", "features", "maps", "passes", "shape", "promises"});
+                       "search_cap", "features", "needs", "maps", "passes", "shape", "promises"});
     Manifest manifest;
     manifest.id = id;
     manifest.title = parse_line(view.at("title"));
@@ -294,6 +307,7 @@ Manifest parse_manifest(const Json& json, const std::string& id, const std::stri
             manifest.features.push_back(feature);
         }
     }
+    if (view.has("needs")) manifest.map_needs = parse_needs(view.at("needs"));
     parse_maps_and_passes(view, manifest, names);
     for (const IncludedSet& set : sets) {
         const std::size_t own_passes = manifest.passes.size();

@@ -163,8 +163,8 @@ private:
 /// `samples` timings of a pass that does nothing: what the measurement itself costs. Never subtracted.
 std::vector<double> time_empty_pass(const gpu::Device& device, int samples);
 
-/// Empty when the device can run the technique with the parameters on the map and view, else the reason for skipping
-/// the cell.
+/// Empty when the device can run the technique with the parameters on the map and view, and these are what the technique
+/// needs; else the reason for skipping the cell.
 std::string unsupported_reason(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
                                const View& view, Resolution height_map);
 

@@ -1,5 +1,6 @@
 #include "core/error.hpp"
 #include "technique/derived_maps.hpp"
+#include "technique/map_needs.hpp"
 #include "technique/renderer.hpp"
 #include "technique/scene_uniforms.hpp"
 
@@ -100,6 +101,8 @@ std::string unsupported_map(const gpu::Device& device, const MapDeclaration& map
 
 std::string unsupported_reason(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
                                const View& view, Resolution height_map) {
+    const std::string unmet = unmet_map_need(technique.manifest, height_map, view.relief);
+    if (!unmet.empty()) return unmet;
     const gpu::DeviceInfo& info = device.info();
     std::vector<std::string> needed = technique.manifest.features;
     needed.emplace_back("fragmentStoresAndAtomics");

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace reliefbench {
@@ -100,6 +101,26 @@ double most_texels_through_relief(const View& view, const HeightMap& map, const 
         }
     }
     return most;
+}
+
+Circumstance as_needed(const Manifest& manifest, Circumstance circumstance) {
+    auto& [width, height] = circumstance.map_size;
+    for (const MapNeed need : manifest.map_needs) {
+        switch (need) {
+            case MapNeed::square:
+                width = height = std::min(width, height);
+                break;
+            case MapNeed::power_of_two:
+                width = static_cast<int>(std::bit_floor(static_cast<unsigned>(width)));
+                height = static_cast<int>(std::bit_floor(static_cast<unsigned>(height)));
+                break;
+            case MapNeed::untiled:
+                circumstance.view.relief.tiling = 1;
+                circumstance.view.relief.boundary = Boundary::clip;
+                break;
+        }
+    }
+    return circumstance;
 }
 
 ParameterValues with_values(const Manifest& manifest, const ParameterValues& changed) {

@@ -82,6 +82,10 @@ double texels_through_relief(const View& view, const HeightMap& map, int i, int 
 /// The largest of texels_through_relief over the footprint.
 double most_texels_through_relief(const View& view, const HeightMap& map, const Image<std::uint8_t>& footprint);
 
+/// The circumstance, with a size that the technique's needs allow, no larger than this one's, and the map once on the
+/// patch where that is needed: so that what a technique does not do leaves no check out.
+Circumstance as_needed(const Manifest& manifest, Circumstance circumstance);
+
 /// The manifest's defaults with those of `changed` in their place.
 ParameterValues with_values(const Manifest& manifest, const ParameterValues& changed);
 

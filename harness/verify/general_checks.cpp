@@ -29,11 +29,13 @@ Circumstance circumstance(const std::string& map, Resolution size, Projection pr
     return {map, size, view};
 }
 
-std::vector<Circumstance> picture_circumstances() {
+std::vector<Circumstance> picture_circumstances(const Manifest& manifest) {
     std::vector<Circumstance> all{circumstance("rock", {96, 64}, Projection::perspective, 60, -70),
                                   circumstance("cobbles", {64, 64}, Projection::parallel, 75, 20),
                                   circumstance("spikes", {100, 60}, Projection::parallel, 30, -90)};
     all.back().view.relief.boundary = Boundary::repeat;
+    for (Circumstance& where : all)
+        where = as_needed(manifest, std::move(where));
     return all;
 }
 
@@ -180,7 +182,7 @@ void check_picture(CheckList& list, const ParameterValues& parameters, const Cir
 }  // namespace
 
 bool check_supported(CheckList& list) {
-    const Circumstance first = picture_circumstances().front();
+    const Circumstance first = picture_circumstances(list.manifest()).front();
     const std::string reason =
         unsupported_reason(list.device(), list.technique(), list.manifest().defaults(), first.view, first.map_size);
     if (reason.empty()) return true;
@@ -189,7 +191,7 @@ bool check_supported(CheckList& list) {
 }
 
 bool check_compiles(CheckList& list) {
-    const Circumstance first = picture_circumstances().front();
+    const Circumstance first = picture_circumstances(list.manifest()).front();
     return list.check("compiles", describe(list.manifest().defaults(), list.manifest()), [&]() -> Finding {
         Renderer renderer(list.device(), list.technique(), list.manifest().defaults(),
                           list.scenes().get(first.map, first.map_size).on_device, first.view, coordinate_lighting());
@@ -201,7 +203,7 @@ bool check_compiles(CheckList& list) {
 }
 
 void check_pictures(CheckList& list) {
-    const std::vector<Circumstance> circumstances = picture_circumstances();
+    const std::vector<Circumstance> circumstances = picture_circumstances(list.manifest());
     const std::vector<ParameterValues> all = variants(list.manifest());
     for (const Circumstance& where : circumstances)
         check_picture(list, all.front(), where);
@@ -233,7 +235,7 @@ void check_polygon(CheckList& list) {
 }
 
 void check_work(CheckList& list) {
-    const Circumstance where = picture_circumstances().front();
+    const Circumstance where = picture_circumstances(list.manifest()).front();
     list.check("work is counted", list.manifest().defaults(), where, [&]() -> Finding {
         const auto probe_map = [&](const CoordinateScene& scene) {
             return compare_with_truth(list.device(), list.technique(), list.manifest().defaults(), scene, where.view,

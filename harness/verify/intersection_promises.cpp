@@ -16,7 +16,7 @@ constexpr double height_scale = 0.1;
 constexpr double tolerated_pixels = 0.005;
 
 /// Every procedural map at every angle; sizes, projections, azimuths, tilings and boundaries take turns.
-std::vector<Circumstance> intersection_circumstances() {
+std::vector<Circumstance> intersection_circumstances(const Manifest& manifest) {
     constexpr std::array<double, 4> angles{0, 45, 75, 85};
     constexpr std::array<Resolution, 3> sizes{Resolution{128, 128}, Resolution{96, 160}, Resolution{64, 64}};
     // Along texel rows, where the surface is straight in each cell, one time in five.
@@ -33,7 +33,7 @@ std::vector<Circumstance> intersection_circumstances() {
             view.relief.tiling = turn % 7 == 3 ? 3 : 1;
             view.relief.boundary = turn % 4 == 2 ? Boundary::repeat : Boundary::clip;
             view.resolution = {96, 96};
-            all.push_back({map.name, sizes[turn % sizes.size()], view});
+            all.push_back(as_needed(manifest, {map.name, sizes[turn % sizes.size()], view}));
         }
     }
     return all;
@@ -89,7 +89,7 @@ std::size_t pixels_beyond(const TruthComparison& comparison, const HeightMap& ma
 void check_first_hit(CheckList& list, const PromiseDeclaration& declaration) {
     constexpr double tolerance_texels = 0.1;
     const ParameterValues parameters = with_values(list.manifest(), declaration.with);
-    for (const Circumstance& where : intersection_circumstances()) {
+    for (const Circumstance& where : intersection_circumstances(list.manifest())) {
         list.check("first_hit", parameters, where, [&]() -> Finding {
             const CoordinateScene& scene = list.scenes().get(where.map, where.map_size);
             const TruthComparison& found = list.comparison(parameters, where);
@@ -111,7 +111,7 @@ void check_first_hit(CheckList& list, const PromiseDeclaration& declaration) {
 
 void check_conservative(CheckList& list, const PromiseDeclaration& declaration) {
     const ParameterValues parameters = with_values(list.manifest(), declaration.with);
-    for (const Circumstance& where : intersection_circumstances()) {
+    for (const Circumstance& where : intersection_circumstances(list.manifest())) {
         list.check("conservative", parameters, where, [&]() -> Finding {
             const CoordinateScene& scene = list.scenes().get(where.map, where.map_size);
             const TruthComparison& found = list.comparison(parameters, where);

@@ -33,7 +33,7 @@ Json complete() {
             {"name": "adaptive", "type": "boolean", "default": false, "help": "By angle."},
             {"name": "leaf", "type": "choice", "choices": ["linear", "exact"], "default": "exact", "help": "Leaf."}],
         "sample_count": "max_steps", "sample_count_minimum": "min_steps", "search_cap": ["max_steps", "min_steps"],
-        "features": ["tessellationShader"],
+        "features": ["tessellationShader"], "needs": {"map": ["power_of_two", "square"]},
         "maps": [{"name": "tree", "format": "r16", "size": "next_power_of_two", "mip_chain": true},
                  {"name": "cones", "format": "rg32f", "linear_filter": true}],
         "passes": [{"name": "leaves", "shader": "leaves.glsl", "writes": "tree"},
@@ -82,6 +82,7 @@ TEST(Manifest, IsReadInFull) {
     EXPECT_THAT(manifest.search_cap, ElementsAre("max_steps", "min_steps"));
     EXPECT_THAT(parse(with("/search_cap", "binary_steps")).search_cap, ElementsAre("binary_steps"));
     EXPECT_THAT(manifest.features, ElementsAre("tessellationShader"));
+    EXPECT_THAT(manifest.map_needs, ElementsAre(MapNeed::power_of_two, MapNeed::square));
     ASSERT_EQ(manifest.maps.size(), 2U);
     EXPECT_EQ(manifest.maps[0].size, MapDeclaration::Size::next_power_of_two);
     EXPECT_TRUE(manifest.maps[0].mip_chain);
@@ -205,6 +206,9 @@ TEST(Manifest, WhatIsWrongIsNamedWithItsPlace) {
         {"/search_cap", "[\"max_steps\", \"max_step\"]", "$.search_cap[1]: no parameter 'max_step' (did you mean"},
         {"/search_cap", "[\"max_steps\", \"max_steps\"]", "$.search_cap[1]: the parameter 'max_steps' is given twice"},
         {"/features/0", "\"tesselation\"", "$.features[0]"},
+        {"/needs", R"({"map": ["squared"]})", "$.needs.map[0]"},
+        {"/needs", R"({"map": ["square", "square"]})", "$.needs.map[1]: 'square' is given twice"},
+        {"/needs", R"({"maps": ["square"]})", "$.needs: unknown key \"maps\" (did you mean 'map'?)"},
         {"/maps/1/name", "\"tree\"", "$.maps[1].name: the name 'tree' is given twice"},
         {"/maps/1/name", "\"bias\"", "$.maps[1].name: the name 'bias' is given twice"},
         {"/parameters/5/name", "\"self_shadow\"", "'self_shadow' is an axis of a configuration"},
@@ -528,6 +532,7 @@ TEST(ManifestDocument, ItsExampleIsAValidManifest) {
     const Manifest manifest =
         parse_manifest(parse_json(json, "adding_a_technique.md"), "example", "adding_a_technique.md", shared_shaders);
     EXPECT_EQ(manifest.parameters.size(), 8U) << "with those of quad.json";
+    EXPECT_EQ(manifest.map_needs.size(), 2U);
     EXPECT_EQ(manifest.passes.size(), 2U);
 }
 

@@ -235,5 +235,27 @@ TEST_F(Compilation, LimitsOfThreeDimensionalMapsGiveAReason) {
                 HasSubstr("would be 64x64x16384"));
 }
 
+TEST_F(Compilation, WhatATechniqueNeedsOfItsMapGivesAReason) {
+    const TemporaryTechnique folder(
+        Files{{"technique.json", manifest_json("", R"(, "needs": {"map": ["square", "power_of_two", "untiled"]})")},
+              {"trace.glsl", flat_trace}});
+    const Technique technique = folder.load();
+    const View view = make_view(0, Projection::parallel);
+    const auto reason = [&](Resolution size, const View& seen) {
+        return unsupported_reason(device(), technique, technique.manifest.defaults(), seen, size);
+    };
+    EXPECT_EQ(reason({64, 64}, view), "");
+    EXPECT_EQ(reason({64, 32}, view), "the technique needs a square height map; this one is 64x32");
+    EXPECT_EQ(reason({60, 60}, view),
+              "the technique needs a height map whose sides are powers of two; this one is 60x60");
+    View tiled = view;
+    tiled.relief.tiling = 2;
+    EXPECT_EQ(reason({64, 64}, tiled),
+              "the technique needs the height map once on the patch (tiling 1, boundary clip); here the tiling is 2");
+    View repeated = view;
+    repeated.relief.boundary = Boundary::repeat;
+    EXPECT_THAT(reason({64, 64}, repeated), HasSubstr("here the boundary is repeat"));
+}
+
 }  // namespace
 }  // namespace reliefbench
