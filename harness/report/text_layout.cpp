@@ -25,7 +25,8 @@ std::vector<std::string> wrap(std::string_view text, std::size_t width) {
     std::vector<std::string> lines(1);
     std::size_t begin = 0;
     while (begin < text.size()) {
-        const std::size_t end = std::min(text.find_first_of(" \n", begin), text.size());
+        const bool is_indented = text[begin] == ' ' && (begin == 0 || text[begin - 1] == '\n');
+        const std::size_t end = std::min(text.find_first_of(is_indented ? "\n" : " \n", begin), text.size());
         const std::string_view word = text.substr(begin, end - begin);
         std::string& line = lines.back();
         if (line.empty()) {

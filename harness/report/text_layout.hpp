@@ -18,7 +18,8 @@ std::size_t text_width(std::string_view text);
 std::string pad_left(std::string_view text, std::size_t width);
 std::string pad_right(std::string_view text, std::size_t width);
 
-/// Breaks at spaces and line ends into lines of at most `width` columns; a longer word stays whole. At least one line.
+/// Breaks at spaces and line ends into lines of at most `width` columns; a longer word stays whole, and so does a line of
+/// the text that begins with a space: it is code, or points at code. At least one line.
 std::vector<std::string> wrap(std::string_view text, std::size_t width);
 
 /// Wrapped to `width` columns, each line indented and ended.

@@ -20,6 +20,7 @@ TEST(TextLayout, WrapsAtSpaces) {
     EXPECT_EQ(wrap("one two", 6), (Lines{"one", "two"}));
     EXPECT_EQ(wrap("unbreakable x", 4), (Lines{"unbreakable", "x"}));
     EXPECT_EQ(wrap("a\nb c", 80), (Lines{"a", "b c"}));
+    EXPECT_EQ(wrap("a b\n    x  y = 1\n       ^\nc d", 3), (Lines{"a b", "    x  y = 1", "       ^", "c d"}));
     EXPECT_EQ(wrap("", 80), (Lines{""}));
 }
 
