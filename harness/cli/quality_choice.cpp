@@ -15,13 +15,13 @@ namespace reliefbench {
 
 namespace {
 
-constexpr const char* option = "--quality-figures";
+constexpr const char* quality_option = "--quality-figures";
 
 const FigureDeclaration* parse_term(const std::string& path) {
-    const FigureDeclaration& figure = chosen_figure(path, option);
-    if (is_time(figure)) fail("{}: {} is a time, which has a verdict of its own", option, path);
+    const FigureDeclaration& figure = chosen_figure(path, quality_option);
+    if (is_time(figure)) fail("{}: {} is a time, which has a verdict of its own", quality_option, path);
     if (figure.better == Better::neither) {
-        fail("{}: of {} neither less nor more is better (`reliefbench list figures`)", option, path);
+        fail("{}: of {} neither less nor more is better (`reliefbench list figures`)", quality_option, path);
     }
     return &figure;
 }
@@ -32,7 +32,7 @@ void parse_tolerance(const std::string& text, FigureTolerance& tolerance) {
     if (percent) digits.remove_suffix(1);
     const auto number = whole_text_as<double>(digits);
     if (!number || !std::isfinite(*number) || *number < 0) {
-        fail("{}: expected a tolerance such as 0.05 (in the figure's unit) or 5% (of its value), found '{}'", option,
+        fail("{}: expected a tolerance such as 0.05 (in the figure's unit) or 5% (of its value), found '{}'", quality_option,
              text);
     }
     (percent ? tolerance.relative : tolerance.absolute) = percent ? *number / 100 : *number;
@@ -44,7 +44,7 @@ DecidingFigure parse_figure(const std::string& text) {
     for (const std::string& path : split(parts.front(), '+')) {
         terms.push_back(parse_term(path));
         if (terms.back()->unit != terms.front()->unit || terms.back()->better != terms.front()->better) {
-            fail("{}: {} and {} are of different units or directions, and their sum means nothing", option,
+            fail("{}: {} and {} are of different units or directions, and their sum means nothing", quality_option,
                  terms.front()->path, path);
         }
     }
@@ -75,7 +75,7 @@ std::vector<DecidingFigure> QualityChoice::deciding_figures() const {
         const std::string name = chosen.back().name();
         if (std::count_if(chosen.begin(), chosen.end(),
                           [&](const DecidingFigure& each) { return each.name() == name; }) > 1) {
-            fail("{}: {} is named twice", option, name);
+            fail("{}: {} is named twice", quality_option, name);
         }
     }
     return chosen;

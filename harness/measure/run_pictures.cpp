@@ -11,7 +11,7 @@ namespace reliefbench {
 
 namespace {
 
-constexpr std::array maps{PixelMap::uv_error, PixelMap::flip, PixelMap::taps, PixelMap::depth_error};
+constexpr std::array written_maps{PixelMap::uv_error, PixelMap::flip, PixelMap::taps, PixelMap::depth_error};
 
 std::string suffix_of(PixelMap map) {
     return fmt::format(".{}.png", scale_of(map).name);
@@ -25,7 +25,7 @@ void write_cell_pictures(RunWriter& writer, const std::string& cell, const Drawn
     };
     write(".png", display_picture(drawn.probe.colour));
     write(".truth.png", display_picture(drawn.truth.colour));
-    for (const PixelMap map : maps) {
+    for (const PixelMap map : written_maps) {
         write(suffix_of(map), map_picture(map, drawn));
     }
 }
@@ -33,7 +33,7 @@ void write_cell_pictures(RunWriter& writer, const std::string& cell, const Drawn
 void write_legends(RunWriter& writer) {
     constexpr int width = 256;
     const Font font;
-    for (const PixelMap map : maps) {
+    for (const PixelMap map : written_maps) {
         write_raster_file(writer.image_path("legend", suffix_of(map)), to_raster(legend(scale_of(map), width, font)));
     }
 }

@@ -19,7 +19,7 @@ namespace {
 
 /// Settings named that cannot be told from the best.
 constexpr std::size_t settings_named = 3;
-constexpr std::size_t indent = 2;
+constexpr std::size_t line_indent = 2;
 constexpr std::string_view advice_legend =
     "ms: median of the draw in the worst view; ns/pixel: per covered pixel; errors are those of the worst view";
 
@@ -175,7 +175,7 @@ std::string format_table(const Advice& advice, std::size_t columns) {
     for (const ViewAdvice& view : advice.views) {
         text += indented(heading(advice, view), 0, columns) + table_of(advice, view, columns);
         for (const std::string& line : remarks(advice, view)) {
-            text += indented(line, indent, columns);
+            text += indented(line, line_indent, columns);
         }
         text += '\n';
     }

@@ -18,7 +18,7 @@ namespace reliefbench {
 namespace {
 
 /// Named without --all: changed fields of a cell, and cells under each reason for not being compared.
-constexpr std::size_t fields_named = 5;
+constexpr std::size_t table_fields_named = 5;
 constexpr std::size_t group_cells_named = 3;
 
 std::string format_verdict(const Comparison& comparison, Verdict verdict, std::size_t columns) {
@@ -45,7 +45,7 @@ std::string format_changes(std::string_view title, const std::vector<const CellC
     std::string text = indented(fmt::format("{}, {}", title, counted(cells.size(), "cell")), 0, options.columns);
     for (const CellComparison* cell : cells) {
         text += indented(cell->cell, space_between, options.columns);
-        const std::optional<std::size_t> limit = options.all ? std::nullopt : std::optional(fields_named);
+        const std::optional<std::size_t> limit = options.all ? std::nullopt : std::optional(table_fields_named);
         for (const std::string& change : quality_change_texts(cell->quality, limit)) {
             text += indented(change, 3 * space_between, options.columns);
         }

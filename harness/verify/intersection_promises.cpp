@@ -12,7 +12,7 @@ namespace reliefbench {
 
 namespace {
 
-constexpr double height_scale = 0.1;
+constexpr double checked_height_scale = 0.1;
 constexpr double tolerated_pixels = 0.005;
 
 /// Every procedural map at every angle; sizes, projections, azimuths, tilings and boundaries take turns.
@@ -29,7 +29,7 @@ std::vector<Circumstance> intersection_circumstances(const Manifest& manifest) {
             view.camera.projection = turn % 2 == 0 ? Projection::parallel : Projection::perspective;
             view.camera.view_angle = angle;
             view.camera.azimuth = azimuths[turn % azimuths.size()];
-            view.relief.height_scale = height_scale;
+            view.relief.height_scale = checked_height_scale;
             view.relief.tiling = turn % 7 == 3 ? 3 : 1;
             view.relief.boundary = turn % 4 == 2 ? Boundary::repeat : Boundary::clip;
             view.resolution = {96, 96};
