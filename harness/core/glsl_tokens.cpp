@@ -63,10 +63,21 @@ private:
         }
     }
 
+    /// Of this line and those that continue it.
+    std::size_t end_of_line() const {
+        std::size_t end = text_.find('\n', at_);
+        while (end != std::string_view::npos) {
+            const std::size_t last = end > 0 && text_[end - 1] == '\r' ? end - 1 : end;
+            if (last == 0 || text_[last - 1] != '\\') return end;
+            end = text_.find('\n', end + 1);
+        }
+        return text_.size();
+    }
+
     /// 0 where none begins.
     std::size_t comment_length() const {
         if (peek(0) != '/') return 0;
-        if (peek(1) == '/') return std::min(text_.find('\n', at_), text_.size()) - at_;
+        if (peek(1) == '/') return end_of_line() - at_;
         if (peek(1) != '*') return 0;
         const std::size_t end = text_.find("*/", at_ + 2);
         return (end == std::string_view::npos ? text_.size() : end + 2) - at_;

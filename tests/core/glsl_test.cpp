@@ -32,6 +32,10 @@ TEST(GlslTokens, AreWordsNumbersAndOperatorsWithoutComments) {
     EXPECT_THAT(texts(glsl_tokens("\xC3\xBC")), ElementsAre("\xC3", "\xBC"));
 }
 
+TEST(GlslTokens, ACommentThatEndsInABackslashGoesOn) {
+    EXPECT_THAT(texts(glsl_tokens("a // b \\\nc\nd // e \\\r\nf")), ElementsAre("a", "d"));
+}
+
 TEST(GlslTokens, TellWhereTheyStand) {
     const std::vector<GlslToken> tokens = glsl_tokens("\xEF\xBB\xBF/* a\n */ x\r\n\t+= 2;");
     ASSERT_EQ(tokens.size(), 4U);

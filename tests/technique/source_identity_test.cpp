@@ -21,6 +21,7 @@ protected:
         write("own/parts/search.glsl", "float search;\n");
         write("own/fill.glsl", "void prepare(ivec2 texel) {}\n");
         write("own/back.glsl", "float back;\n");
+        write("shaders/quad.frag", "#include \"trace.glsl\"\n");
         write("shaders/shared.glsl", "#include \"back.glsl\"\n#include \"missing.glsl\"\n");
         manifest_.passes.emplace_back();
         manifest_.passes.back().name = "fill";
