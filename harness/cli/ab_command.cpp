@@ -13,6 +13,7 @@
 #include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/log.hpp"
 #include "core/scratch_folder.hpp"
 #include "core/suggest.hpp"
 #include "measure/run_record.hpp"
@@ -59,16 +60,36 @@ TechniqueSources own_sources(const RunSources& sources) {
     return own;
 }
 
-bool takes_place_of_shipped(const Technique& technique) {
-    const std::filesystem::path shipped = default_technique_root() / technique.manifest.id;
+/// The checkout in which the current folder lies, where it is not that whose shaders are compared.
+std::optional<std::filesystem::path> other_checkout() {
     std::error_code ignored;
-    return std::filesystem::exists(shipped / "technique.json", ignored) &&
-           !std::filesystem::equivalent(technique.folder, shipped, ignored);
+    std::filesystem::path folder = std::filesystem::current_path(ignored);
+    while (folder.has_relative_path() && !std::filesystem::is_directory(folder / "harness" / "shaders", ignored))
+        folder = folder.parent_path();
+    const std::filesystem::path shaders = folder / "harness" / "shaders";
+    if (!std::filesystem::is_directory(shaders, ignored) ||
+        std::filesystem::equivalent(shaders, shader_root(), ignored))
+        return std::nullopt;
+    return folder;
+}
+
+/// Whoever edited another copy must not take what is the same on both sides for the verdict on the edit.
+std::string nothing_differs(const TechniqueSources& own) {
+    std::vector<std::string> roots;
+    for (const std::filesystem::path& root : own.roots)
+        roots.push_back(root.string());
+    std::string text =
+        fmt::format("nothing differs between the sides: the new one has the techniques of {}", join(roots, " and "));
+    if (const auto other = other_checkout())
+        text += fmt::format(", and not those of {}, where you are; RELIEFBENCH_DATA_DIR={} compares them",
+                            other->string(), other->string());
+    return text;
 }
 
 /// What the reader must know of the two sides before any figure.
 std::vector<std::string> notices_on(const TechniqueLibrary& base, const TechniqueLibrary& changed,
-                                    const VariantOutcome& outcome, const TechniqueSources& baseline) {
+                                    const VariantOutcome& outcome, const TechniqueSources& baseline,
+                                    const TechniqueSources& own) {
     std::vector<std::string> notices{fmt::format("the base is {}", baseline.description)};
     notices.insert(notices.end(), baseline.notices.begin(), baseline.notices.end());
     const bool same_shaders = hash_shared_shaders(baseline.shaders) == hash_shared_shaders(shader_root());
@@ -76,10 +97,12 @@ std::vector<std::string> notices_on(const TechniqueLibrary& base, const Techniqu
         notices.push_back(
             "the shared shaders (harness/shaders) differ between the sides, and each side is compiled with its own");
     }
+    std::set<std::string> measured;
     std::set<std::string> unchanged;
     std::set<std::string> replaced;
     for (const MeasuredPair& pair : outcome.measured) {
         const std::string& id = pair.changed.technique;
+        measured.insert(id);
         if (same_shaders && base.get(id).hash == changed.get(id).hash) unchanged.insert(id);
         if (takes_place_of_shipped(changed.get(id))) replaced.insert(changed.get(id).folder.string());
     }
@@ -90,6 +113,10 @@ std::vector<std::string> notices_on(const TechniqueLibrary& base, const Techniqu
     if (!unchanged.empty()) {
         notices.push_back(fmt::format("the sources are the same on both sides: {}",
                                       join(std::vector<std::string>(unchanged.begin(), unchanged.end()))));
+        if (unchanged == measured) {
+            notices.push_back(nothing_differs(own));
+            log_warning("{}", notices.back());
+        }
     }
     return notices;
 }
@@ -164,7 +191,7 @@ ExitCode compare_live(const AbOptions& options) {
                                     .on_visit = keep_visits(evidence)});
     }
     Comparison comparison = compare_variants(outcome, threshold, deciding);
-    comparison.notices = notices_on(base, sources.library, outcome, baseline);
+    comparison.notices = notices_on(base, sources.library, outcome, baseline, own);
     if (const std::string shared = describe(device_share(record), "the times"); !shared.empty())
         comparison.notices.push_back(shared);
     comparison.environment["base"] = side_record(baseline.description, base, record);
@@ -186,7 +213,6 @@ ExitCode compare_live(const AbOptions& options) {
 
 void add_ab_command(CLI::App& app, ChosenCommand& chosen) {
     const auto options = std::make_shared<AbOptions>();
-    options->library.same_id = SameId::last_wins;
     CLI::App* command = app.add_subcommand("ab", "Compare two versions of the shaders live, interleaved");
     command
         ->add_option("configuration", options->configuration,

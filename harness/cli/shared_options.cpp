@@ -13,7 +13,8 @@ namespace reliefbench {
 
 void TechniqueOptions::add_to(CLI::App& command) {
     add_repeated_option(command, "--techniques", directories,
-                        "A directory of technique folders, beside those shipped (may be repeated)")
+                        "A directory of technique folders, beside those shipped; one of the same name takes a shipped "
+                        "one's place (may be repeated)")
         ->type_name("DIR");
 }
 
@@ -24,7 +25,14 @@ TechniqueLibrary TechniqueOptions::find() const {
         if (const std::string complaint = complaint_of_root(directory); !complaint.empty())
             fail("--techniques: {}", complaint);
     }
-    return find_techniques(roots, shader_root(), same_id);
+    TechniqueLibrary library = find_techniques(roots, shader_root());
+    for (const Technique& technique : library.techniques) {
+        if (takes_place_of_shipped(technique)) {
+            log_warning("{} takes the place of the shipped technique '{}'", technique.folder.string(),
+                        technique.manifest.id);
+        }
+    }
+    return library;
 }
 
 void CellChoice::add_to(CLI::App& command) {

@@ -19,11 +19,9 @@ namespace reliefbench {
 /// Which techniques there are: the shipped ones and those of directories named with --techniques.
 struct TechniqueOptions {
     std::vector<std::string> directories;
-    /// What becomes of one that has the id of a shipped one.
-    SameId same_id = SameId::refused;
 
     void add_to(CLI::App& command);
-    /// A directory that holds no technique is an Error.
+    /// A directory that holds no technique is an Error. A technique that takes a shipped one's place is told.
     TechniqueLibrary find() const;
 };
 

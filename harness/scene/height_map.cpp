@@ -47,6 +47,9 @@ bool is_procedural(const std::string& name) {
 }
 
 /// How stored values become heights: (value − low) / (high − low), clamped.
+/// A file that uses less of its full scale is likely to be meant otherwise: a terrain in metres, say.
+constexpr double least_used_scale = 1.0 / 16;
+
 struct ValueMapping {
     double low = 0;
     double high = 1;
@@ -88,11 +91,25 @@ void check_values(const std::string& name, const Image<float>& values) {
     }
 }
 
+/// How a command line says how a file is read; `member` is JSON.
+std::string option_with(const std::string& file, std::string_view member) {
+    return fmt::format("-a 'heightmap={{\"file\": \"{}\", {}}}'", file, member);
+}
+
 /// `full_scale` is the value that stands for 1.
 void check_heights(const std::string& name, float smallest, float largest, double full_scale) {
     if (smallest < 0 || largest > static_cast<float>(full_scale)) {
-        fail("height map '{}' has values from {} to {}: heights must lie in [0, {}]; give height_range or normalize",
-             name, smallest, largest, full_scale);
+        fail(
+            "height map '{}' has values from {} to {}: heights must lie in [0, {}]; give height_range or normalize: {}",
+            name, smallest, largest, full_scale, option_with(name, "\"normalize\": true"));
+    }
+    const double used = (largest - smallest) / full_scale;
+    if (used > 0 && used < least_used_scale) {
+        log_warning(
+            "height map '{}' has values from {} to {}, {:.2g} % of [0, {}], and is almost flat; where that is not "
+            "meant, "
+            "give height_range or normalize: {}",
+            name, smallest, largest, 100 * used, full_scale, option_with(name, "\"normalize\": true"));
     }
 }
 
@@ -140,8 +157,8 @@ ValueRange fill_gaps(const HeightMapSource& source, std::optional<double> nodata
     if (!source.fill) {
         fail(
             "height map '{}' has no data ({}) in {} of {} texels, the first in {}: heights must be finite; give "
-            "\"fill\", the value that they get, or repair the file",
-            source.name, what, gaps, values.texels.size(), where);
+            "\"fill\", the value that they get, or repair the file: {}",
+            source.name, what, gaps, values.texels.size(), where, option_with(source.name, "\"fill\": 0"));
     }
     if (gaps == values.texels.size()) fail("height map '{}' has no data ({}) in any texel", source.name, what);
     log_warning("height map '{}' has no data ({}) in {} of {} texels, the first in {}: they get {}", source.name, what,

@@ -62,7 +62,11 @@ void fail_unread_format(const std::filesystem::path& path, std::string_view begi
     } else if (has_extension(path, {".tga"})) {
         what += ", and TGA is not read: save it as PNG";  // which nothing at a file's begin tells
     } else if (has_extension(path, {".r16", ".r32", ".raw", ".hgt"})) {
-        what += "; of numbers without a header give \"size\" (and \"sample_type\", \"byte_order\")";
+        what += fmt::format(
+            "; of numbers without a header give \"size\" (and \"sample_type\", \"byte_order\"): -a "
+            "'heightmap={{\"file\": "
+            "\"{}\", \"size\": [WIDTH, HEIGHT]}}'",
+            path.string());
     }
     fail("cannot read image '{}'{}", path.string(), what);
 }

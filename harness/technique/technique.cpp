@@ -91,7 +91,7 @@ TechniqueLibrary find_techniques(const std::vector<fs::path>& roots, const fs::p
             const auto found = std::find_if(folders.begin(), folders.end(), has_id);
             if (found == folders.end()) {
                 folders.push_back(folder);
-            } else if (same_id == SameId::last_wins) {
+            } else if (same_id == SameId::last_wins || found->parent_path() == roots.front()) {
                 *found = folder;
             } else if (real_path(*found) != real_path(folder)) {
                 fail("technique '{}' exists both as {} and as {}; rename one folder", folder.filename().string(),
@@ -111,6 +111,12 @@ TechniqueLibrary find_techniques(const std::vector<fs::path>& roots, const fs::p
         }
     }
     return library;
+}
+
+bool takes_place_of_shipped(const Technique& technique) {
+    const fs::path shipped = default_technique_root() / technique.manifest.id;
+    std::error_code ignored;
+    return fs::exists(shipped / manifest_file, ignored) && !fs::equivalent(technique.folder, shipped, ignored);
 }
 
 fs::path default_technique_root() {

@@ -38,8 +38,8 @@ struct TechniqueLibrary {
 
 /// What is made of an id that two folders have.
 enum class SameId {
-    /// An Error.
-    refused,
+    /// One of the first root, which has the shipped ones, gives way to another; two of other roots are an Error.
+    first_root_gives_way,
     /// That of the later root takes the other's place.
     last_wins,
 };
@@ -48,7 +48,10 @@ enum class SameId {
 /// once.
 TechniqueLibrary find_techniques(const std::vector<std::filesystem::path>& roots,
                                  const std::filesystem::path& shaders = shader_root(),
-                                 SameId same_id = SameId::refused);
+                                 SameId same_id = SameId::first_root_gives_way);
+
+/// Whether it has the id of a shipped one and is another.
+bool takes_place_of_shipped(const Technique& technique);
 
 /// Why a folder is no root: it is a technique's own folder, or there is no technique in it. Empty where it is one, and
 /// where there is no folder at all.

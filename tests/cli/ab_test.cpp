@@ -93,6 +93,8 @@ TEST_F(Ab, IdenticalShadersAreNeverSlowerOrFaster) {
     EXPECT_THAT(cell.at("verdict").get<std::string>(), testing::AnyOf("same", "undecided"));
     EXPECT_EQ(cell.at("quality").at("verdict"), "same") << cell;
     EXPECT_THAT(outcome.out, HasSubstr("the sources are the same on both sides: mine"));
+    EXPECT_THAT(outcome.err,
+                HasSubstr("warning: nothing differs between the sides: the new one has the techniques of"));
 }
 
 TEST_F(Ab, TheComparisonAndEveryRawSampleAreKeptWhereAsked) {

@@ -55,8 +55,17 @@ protected:
     std::filesystem::path copy_;
 };
 
-TEST_F(TwoRoots, WithTheSameIdAreAnError) {
-    EXPECT_THAT(error_message([&] { find_techniques({technique_.root(), copy_}); }), HasSubstr("rename one folder"));
+TEST_F(TwoRoots, BesideTheFirstWithTheSameIdAreAnError) {
+    EXPECT_THAT(error_message([&] {
+                    find_techniques({default_technique_root(), technique_.root(), copy_});
+                }),
+                HasSubstr("rename one folder"));
+}
+
+TEST_F(TwoRoots, TheFirstGivesWay) {
+    const TechniqueLibrary library = find_techniques({technique_.root(), copy_});
+    ASSERT_EQ(library.techniques.size(), 1U);
+    EXPECT_EQ(library.techniques[0].folder.parent_path(), copy_);
 }
 
 TEST_F(TwoRoots, ThatAreOneFolderCountOnce) {
@@ -70,9 +79,9 @@ TEST_F(TwoRoots, ThatAreOneFolderCountOnce) {
 }
 
 TEST_F(TwoRoots, WhereTheLastWinsHaveItsTechnique) {
-    const TechniqueLibrary library = find_techniques({technique_.root(), copy_}, shader_root(), SameId::last_wins);
-    ASSERT_EQ(library.techniques.size(), 1U);
-    EXPECT_EQ(library.techniques[0].folder.parent_path(), copy_);
+    const TechniqueLibrary library =
+        find_techniques({default_technique_root(), technique_.root(), copy_}, shader_root(), SameId::last_wins);
+    EXPECT_EQ(library.get(technique_.folder().filename().string()).folder.parent_path(), copy_);
 }
 
 TEST_F(TwoRoots, WhatIsNoRootSaysWhatToName) {
