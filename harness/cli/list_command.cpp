@@ -47,7 +47,7 @@ std::string technique_lines(const Technique& technique) {
         for (const MapNeed need : manifest.map_needs) {
             needs.push_back(to_string(need));
         }
-        fmt::print("    needs of the height map: {}\n", join(needs));
+        lines += fmt::format("    needs of the height map: {}\n", join(needs));
     }
     std::vector<std::string> promises;
     for (const PromiseDeclaration& declaration : manifest.promises) {

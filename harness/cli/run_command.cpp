@@ -16,6 +16,7 @@
 #include "measure/shared_inputs.hpp"
 #include "report/run_format.hpp"
 #include "store/run_folder.hpp"
+#include "technique/map_needs.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -115,11 +116,22 @@ RunJob make_job(const RunOptions& options, const ConfigurationText& configuratio
     return job;
 }
 
+/// Skips the cells whose height map is not what their technique needs.
+void skip_unfit_maps(RunSources& sources) {
+    for (Cell& cell : sources.cells) {
+        if (!cell.skip_reason.empty()) continue;
+        const Manifest& manifest = sources.library.get(cell.technique).manifest;
+        if (manifest.map_needs.empty()) continue;
+        cell.skip_reason = unmet_map_need(manifest, height_map_size(cell.view.height_map), cell.view.view.relief);
+    }
+}
+
 /// Refuses what a run would refuse before it asks for the device.
 ExitCode plan(const RunOptions& options, const ConfigurationText& configuration) {
-    const RunJob job = make_job(options, configuration);
+    RunJob job = make_job(options, configuration);
     if (job.resume.empty() && !options.output.empty()) refuse_second_run(options.output);
     check_input_files(job.sources.cells);
+    skip_unfit_maps(job.sources);
     return print_plan(job.sources.cells);
 }
 

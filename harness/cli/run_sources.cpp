@@ -79,7 +79,8 @@ RunSources read_run_sources(const ConfigurationText& text, const CellChoice& cho
     }
     sources.filters.insert(sources.filters.end(), choice.filters.begin(), choice.filters.end());
     sources.technique_directories = absolute_paths(directories);
-    sources.library = TechniqueOptions{sources.technique_directories}.find();
+    techniques.check();
+    sources.library = TechniqueOptions::find_in(sources.technique_directories);
 
     std::vector<std::string> named;
     if (configuration.is_object() && configuration.contains("techniques")) {

@@ -19,12 +19,20 @@ void TechniqueOptions::add_to(CLI::App& command) {
 }
 
 TechniqueLibrary TechniqueOptions::find() const {
-    std::vector<std::filesystem::path> roots{default_technique_root()};
-    roots.insert(roots.end(), directories.begin(), directories.end());
+    check();
+    return find_in(directories);
+}
+
+void TechniqueOptions::check() const {
     for (const std::string& directory : directories) {
         if (const std::string complaint = complaint_of_root(directory); !complaint.empty())
             fail("--techniques: {}", complaint);
     }
+}
+
+TechniqueLibrary TechniqueOptions::find_in(const std::vector<std::string>& directories) {
+    std::vector<std::filesystem::path> roots{default_technique_root()};
+    roots.insert(roots.end(), directories.begin(), directories.end());
     TechniqueLibrary library = find_techniques(roots, shader_root());
     for (const Technique& technique : library.techniques) {
         if (takes_place_of_shipped(technique)) {

@@ -21,8 +21,12 @@ struct TechniqueOptions {
     std::vector<std::string> directories;
 
     void add_to(CLI::App& command);
-    /// A directory that holds no technique is an Error. A technique that takes a shipped one's place is told.
+    /// A directory that holds no technique is an Error.
+    void check() const;
+    /// Checked. A technique that takes a shipped one's place is told.
     TechniqueLibrary find() const;
+    /// The same of directories that may hold none: those of a run's record.
+    static TechniqueLibrary find_in(const std::vector<std::string>& directories);
 };
 
 /// Which cells of a configuration, with which values.

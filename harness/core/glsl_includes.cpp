@@ -9,9 +9,6 @@ namespace reliefbench {
 
 namespace {
 
-/// As the compiler's.
-constexpr std::uint64_t largest_source = std::uint64_t{4} << 20;
-
 bool leaves_its_folder(const std::filesystem::path& name) {
     return name.is_absolute() || std::ranges::find(name, "..") != name.end();
 }
@@ -30,7 +27,7 @@ std::vector<IncludedGlsl> glsl_with_includes(const std::vector<std::filesystem::
         for (std::size_t root = 0; root < roots.size(); ++root) {
             std::error_code ignored;
             if (roots[root].empty() || !std::filesystem::is_regular_file(roots[root] / name, ignored)) continue;
-            all.push_back({root, name, glsl_tokens(read_text_file(roots[root] / name, largest_source))});
+            all.push_back({root, name, glsl_tokens(read_text_file(roots[root] / name, largest_glsl_file))});
             for (const GlslToken& token : all.back().tokens) {
                 if (std::string included = included_file(token); !included.empty()) left.emplace_back(included);
             }

@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 23> glsl_operators{
 
 class GlslReader {
 public:
-    explicit GlslReader(std::string_view text) : text_(text) {}
+    explicit GlslReader(std::string_view text) : text_(with_plain_line_ends(text)) {}
 
     std::vector<GlslToken> read() {
         bool at_line_begin = true;
@@ -51,6 +51,15 @@ public:
     }
 
 private:
+    /// A carriage return alone ends a line, too; before a line feed it is a blank.
+    static std::string with_plain_line_ends(std::string_view text) {
+        std::string plain(text);
+        for (std::size_t i = 0; i < plain.size(); ++i) {
+            if (plain[i] == '\r' && (i + 1 == plain.size() || plain[i + 1] != '\n')) plain[i] = '\n';
+        }
+        return plain;
+    }
+
     bool at_end() const { return at_ >= text_.size(); }
     char peek(std::size_t ahead) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
 
@@ -110,13 +119,13 @@ private:
                 break;
         }
         for (const std::string_view word : glsl_operators) {
-            if (text_.substr(at_).starts_with(word)) return word.size();
+            if (std::string_view(text_).substr(at_).starts_with(word)) return word.size();
         }
         return 1;
     }
 
     void add(GlslToken::Kind kind, std::size_t length) {
-        const std::string_view text = text_.substr(at_, length);
+        const std::string_view text = std::string_view(text_).substr(at_, length);
         if (text != "\\\n") tokens_.push_back({kind, std::string(text), line_, column_});
         advance(length);
     }
@@ -127,8 +136,11 @@ private:
             if (peek(0) == '\\' && (peek(1) == '\n' || (peek(1) == '\r' && peek(2) == '\n'))) {
                 advance(peek(1) == '\n' ? 2 : 3);
                 token.text += ' ';
-            } else if (const std::size_t length = comment_length()) {
+            } else if (const std::size_t length = file_name_length(token)) {
+                token.text += text_.substr(at_, length);
                 advance(length);
+            } else if (const std::size_t comment = comment_length()) {
+                advance(comment);
                 token.text += ' ';
             } else {
                 if (peek(0) != '\r') token.text += peek(0);
@@ -138,7 +150,16 @@ private:
         tokens_.push_back(std::move(token));
     }
 
-    std::string_view text_;
+    /// Of what an include names, in which "//" begins no comment; 0 where none begins.
+    std::size_t file_name_length(const GlslToken& directive) const {
+        const char end = peek(0) == '<' ? '>' : '"';
+        if (peek(0) != '<' && peek(0) != '"') return 0;
+        if (glsl_directive(directive).name != "include") return 0;
+        const std::size_t close = text_.find(end, at_ + 1);
+        return close < text_.find('\n', at_) ? close + 1 - at_ : 0;
+    }
+
+    std::string text_;
     std::size_t at_ = 0;
     int line_ = 1;
     int column_ = 1;

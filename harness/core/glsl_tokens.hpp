@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace reliefbench {
+
+/// Bytes of a file of GLSL that is read.
+inline constexpr std::uint64_t largest_glsl_file = std::uint64_t{4} << 20;
 
 struct GlslToken {
     enum class Kind { word, number, mark, directive };

@@ -41,7 +41,9 @@ FlatShader::FlatShader(std::string_view preprocessed, int front_lines, const std
     for (GlslToken& token : glsl_tokens(preprocessed)) {
         const GlslDirective directive = glsl_directive(token);
         if (directive.name == "line") {
-            place = named_place(directive);
+            SourcePlace named = named_place(directive);
+            if (named.file.empty()) named.file = place.file;
+            place = std::move(named);
             base = token.line + 1;
             continue;
         }

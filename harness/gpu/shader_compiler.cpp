@@ -215,7 +215,7 @@ private:
         const auto is_declared = [&](const GlslDeclaration& declared) { return declared.name == complaint.symbol; };
         if (!missing || std::ranges::any_of(flat.declarations(), is_declared)) return worded;
         for (const std::filesystem::path& file : shader_files(source_)) {
-            const auto tokens = glsl_tokens(read_text_file(file, largest_source));
+            const auto tokens = glsl_tokens(read_text_file(file, largest_glsl_file));
             if (std::ranges::any_of(glsl_declarations(tokens), is_declared))
                 worded.sentence += fmt::format("; {} declares it, which is not included", file.filename().string());
         }

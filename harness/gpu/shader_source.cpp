@@ -21,7 +21,8 @@ std::string read_source(const ShaderSource& source, const std::string& name) {
     std::optional<std::filesystem::path> found;
     for (const std::filesystem::path& root : source.roots) {
         const std::filesystem::path candidate = root / relative;
-        if (!std::filesystem::is_regular_file(candidate)) continue;
+        std::error_code ignored;
+        if (!std::filesystem::is_regular_file(candidate, ignored)) continue;
         // A symbolic link may lead out of the folder although its name does not.
         const std::filesystem::path canonical_root = std::filesystem::canonical(root);
         const std::filesystem::path canonical = std::filesystem::canonical(candidate);
@@ -41,7 +42,7 @@ std::string read_source(const ShaderSource& source, const std::string& name) {
             names.push_back(file.filename().string());
         fail("'{}' is not in {}{}", name, join(places, " or "), did_you_mean(name, names));
     }
-    return std::string(without_byte_order_mark(read_text_file(*found, largest_source)));
+    return std::string(without_byte_order_mark(read_text_file(*found, largest_glsl_file)));
 }
 
 std::vector<std::filesystem::path> shader_files(const ShaderSource& source) {

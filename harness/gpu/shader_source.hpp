@@ -2,15 +2,11 @@
 
 #include "gpu/shader_compiler.hpp"
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace reliefbench::gpu {
-
-/// Of one file, in bytes.
-inline constexpr std::uint64_t largest_source = std::uint64_t{4} << 20;
 
 /// The text of a file named in GLSL, without a byte order mark; an Error says why it may not or cannot be read.
 std::string read_source(const ShaderSource& source, const std::string& name);

@@ -192,6 +192,12 @@ HeightMap load_image(const HeightMapSource& source, HeightFormat format) {
     StoredHeights stored = read_stored_heights(source);
     Image<float>& values = stored.values;
     check_size(source.name, values.size);
+    if (!source.nodata && !stored.unread_nodata.empty()) {
+        fail(
+            "height map '{}' marks texels without data by '{}' (GDAL_NODATA), which is no number: give it as the file "
+            "has it: {}",
+            source.name, stored.unread_nodata, option_with(source.name, "\"nodata\": -9999"));
+    }
     const ValueRange range = fill_gaps(source, source.nodata ? source.nodata : stored.nodata, values);
     check_values(source.name, values);
     if (source.height_range) check_range_is_used(source, values, range);

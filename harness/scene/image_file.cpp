@@ -82,6 +82,7 @@ struct FileTags {
     int orientation = 1;
     bool zero_is_white = false;
     std::optional<double> nodata;
+    std::string unread_nodata;
 };
 
 struct OpenImage {
@@ -125,7 +126,8 @@ void open_tiff(OpenImage& image, const std::filesystem::path& path, const std::s
                   .bits = static_cast<int>(page.bits.front()),
                   .orientation = static_cast<int>(std::min<std::uint64_t>(page.orientation, 9)),
                   .zero_is_white = page.photometric == 0,
-                  .nodata = page.nodata};
+                  .nodata = page.nodata,
+                  .unread_nodata = page.unread_nodata};
     if (!image.tags.zero_is_white) return;
     image.patched = std::make_unique<PatchedFile>(path.string(), page.photometric_place, std::uint8_t{1});
     set_proxy(hints, image.patched.get());
@@ -230,6 +232,7 @@ RasterFile header_of(const OpenImage& image) {
     if (stretched) raster.full_scale = std::exp2(image.tags.bits) - 1;
     raster.zero_is_white = image.tags.zero_is_white;
     raster.nodata = image.tags.nodata;
+    raster.unread_nodata = image.tags.unread_nodata;
     if (raster.zero_is_white) raster.notes.push_back("0 is white");
     if (display_window(image) != data_window(spec)) raster.notes.push_back("display window");
     return raster;

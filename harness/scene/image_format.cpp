@@ -65,7 +65,7 @@ void fail_unread_format(const std::filesystem::path& path, std::string_view begi
         what += fmt::format(
             "; of numbers without a header give \"size\" (and \"sample_type\", \"byte_order\"): -a "
             "'heightmap={{\"file\": "
-            "\"{}\", \"size\": [WIDTH, HEIGHT]}}'",
+            "\"{}\", \"size\": \"WIDTHxHEIGHT\"}}'",
             path.string());
     }
     fail("cannot read image '{}'{}", path.string(), what);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace reliefbench {
@@ -87,7 +88,9 @@ std::size_t chosen_part(const std::filesystem::path& path, const std::string& pa
     }
     const auto number = whole_text_as<std::size_t>(part);
     if (number && *number < names.size()) return *number;
-    fail("image '{}' has no part '{}'{}: it has {}", path.string(), part, did_you_mean(part, names),
+    std::vector<std::string> named_parts;
+    std::ranges::copy_if(names, std::back_inserter(named_parts), [](const std::string& name) { return !name.empty(); });
+    fail("image '{}' has no part '{}'{}: it has {}", path.string(), part, did_you_mean(part, named_parts),
          known.size() == 1 ? "one only, 0" : join(known));
 }
 

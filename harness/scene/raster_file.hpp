@@ -11,8 +11,8 @@
 namespace reliefbench {
 
 /// What an image file stores, numbers as they stand in the file: integers are not divided, unassociated alpha is kept,
-/// no colour is converted but YCbCr to RGB; palettes are resolved to RGB. Row 0 is the top row of the picture as viewers show
-/// it: orientation tags and an OpenEXR file's display window are applied (docs/height_maps.md).
+/// no colour is converted but YCbCr to RGB; palettes are resolved to RGB. Row 0 is the top row of the picture as
+/// viewers show it: orientation tags and an OpenEXR file's display window are applied (docs/height_maps.md).
 struct RasterFile {
     Resolution size;
     std::vector<std::string> channel_names;
@@ -24,6 +24,8 @@ struct RasterFile {
     bool zero_is_white = false;
     /// The stored number that stands for "nothing is known here" (GDAL_NODATA).
     std::optional<double> nodata;
+    /// What the file has in its place, where that is no number.
+    std::string unread_nodata;
     /// Bits of the stored number, rounded up to 8, 16 or 32.
     int bits = 0;
     /// What was done to the picture, for the record: "orientation 6", "display window", ...

@@ -33,7 +33,7 @@ std::size_t channel_by_text(const HeightMapSource& source, const std::vector<std
     const auto number = whole_text_as<std::size_t>(source.channel);
     if (number && *number < names.size()) return *number;
     fail("height map '{}' has no channel {}{}: it has {} ({}), counted from 0", source.name, source.channel,
-         did_you_mean(source.channel, names), names.size(), channel_list(names));
+         number ? "" : did_you_mean(source.channel, names), names.size(), channel_list(names));
 }
 
 bool is_one_colour_model(const std::vector<std::string>& names) {
@@ -137,6 +137,7 @@ StoredHeights read_stored_heights(const HeightMapSource& source) {
     heights.full_scale = raster.full_scale;
     heights.zero_is_white = raster.zero_is_white;
     heights.nodata = raster.nodata;
+    heights.unread_nodata = raster.unread_nodata;
     heights.notes = raster.notes;
     if (source.packing != Packing::none) {
         heights.full_scale = std::exp2(8.0 * static_cast<double>(channels.size())) - 1;

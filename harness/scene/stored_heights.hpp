@@ -15,8 +15,9 @@ struct StoredHeights {
     /// The value that stands for 1.
     double full_scale = 1;
     bool zero_is_white = false;
-    /// Of the file; the source may know better.
+    /// Of the file; the source may know better. `unread_nodata`: RasterFile's.
     std::optional<double> nodata;
+    std::string unread_nodata;
     /// How they were found in the file, for the record: "channel R", "orientation 6", ...
     std::vector<std::string> notes;
 };

@@ -139,7 +139,7 @@ private:
                     page.formats = numbers(entry);
                     break;
                 case gdal_nodata:
-                    page.nodata = number_of_text(entry);
+                    read_nodata(entry, page);
                     break;
                 default:
                     break;
@@ -156,7 +156,8 @@ private:
         return values;
     }
 
-    std::optional<double> number_of_text(const TiffEntry& entry) const {
+    /// GDAL writes the number in words; older ones on Windows, NaN as the C library there did.
+    void read_nodata(const TiffEntry& entry, TiffPage& page) const {
         constexpr std::uint16_t ascii = 2;
         constexpr std::uint64_t longest_number = 256;
         if (entry.type != ascii || entry.count == 0 || entry.count > longest_number) throw Damaged{};
@@ -164,9 +165,14 @@ private:
         words.resize(std::min(words.find('\0'), words.size()));
         words.erase(0, words.find_first_not_of(" +"));
         words.resize(words.find_last_not_of(' ') + 1);
+        if (words.empty() || words.find("#QNAN") != std::string::npos || words.find("#IND") != std::string::npos)
+            return;
         const auto value = whole_text_as<double>(words);
-        if (!value) throw Damaged{};
-        return std::isnan(*value) ? std::nullopt : value;
+        if (!value) {
+            page.unread_nodata = words;
+        } else if (!std::isnan(*value)) {
+            page.nodata = value;
+        }
     }
 
     std::istream* file_;

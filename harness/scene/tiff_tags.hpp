@@ -25,6 +25,8 @@ struct TiffPage {
     bool is_auxiliary = false;
     /// GDAL_NODATA, where it is a number: NaN is no data anyway.
     std::optional<double> nodata;
+    /// GDAL_NODATA's text where it is no number.
+    std::string unread_nodata;
 };
 
 /// All directories of the chain. Throws Error, with `path` for the message, for a file that is damaged.

@@ -106,7 +106,8 @@ TechniqueLibrary find_techniques(const std::vector<fs::path>& roots, const fs::p
             Manifest manifest = load_manifest(folder, shaders);
             std::string hash = hash_technique(manifest, folder, shaders);
             library.techniques.push_back({std::move(manifest), folder, std::move(hash), shaders});
-        } catch (const Error& error) {
+        } catch (const std::exception& error) {
+            // Error, or what a file system says of a folder that it cannot read.
             library.broken.emplace_back(folder.filename().string(), error.what());
         }
     }

@@ -76,5 +76,30 @@ TEST_F(TechniqueSourcesOfRuns, AFolderWithoutTechniquesSaysSo) {
     EXPECT_EQ(reliefbench({"list", "techniques", "--techniques", path("nowhere")}).code, 2);
 }
 
+TEST_F(TechniqueSourcesOfRuns, WhatATechniqueNeedsOfTheMapIsSeenBeforeARun) {
+    const std::string manifest = "techniques/mine/technique.json";
+    Json json = Json::parse(read_file(path(manifest)));
+    json["needs"] = {{"map", {"untiled"}}};
+    write(manifest, json.dump());
+    const Outcome planned = run(path("none"), {"-a", "tiling=1,2", "--dry-run"});
+    EXPECT_THAT(planned.out, AllOf(HasSubstr("1 cell in 1 block, 1 skipped"), HasSubstr("here the tiling is 2")))
+        << planned.err;
+
+    const std::string listed = reliefbench({"list", "techniques", "--techniques", path("techniques")}).out;
+    const std::size_t name = listed.find("\nmine ");
+    ASSERT_NE(name, std::string::npos) << listed;
+    EXPECT_GT(listed.find("needs of the height map: untiled"), name);
+}
+
+TEST_F(TechniqueSourcesOfRuns, ARecordedDirectoryMayHoldNoneAnyMore) {
+    ASSERT_EQ(run(path("before")).code, 0);
+    Json record = Json::parse(read_file(path("before/run.json")));
+    std::filesystem::create_directory(path("empty"));
+    record["technique_directories"].push_back(path("empty"));
+    write("record.json", record.dump());
+    EXPECT_EQ(reliefbench({"run", path("record.json"), "--dry-run"}).code, 0);
+    EXPECT_EQ(reliefbench({"run", path("record.json"), "--dry-run", "--techniques", path("empty")}).code, 2);
+}
+
 }  // namespace
 }  // namespace reliefbench

@@ -36,6 +36,15 @@ TEST(GlslTokens, ACommentThatEndsInABackslashGoesOn) {
     EXPECT_THAT(texts(glsl_tokens("a // b \\\nc\nd // e \\\r\nf")), ElementsAre("a", "d"));
 }
 
+TEST(GlslTokens, ACarriageReturnAloneEndsALine) {
+    EXPECT_THAT(texts(glsl_tokens("a // b\rc\r#if 1\rd")), ElementsAre("a", "c", "#if 1", "d"));
+}
+
+TEST(GlslTokens, NamesOfIncludedFilesMayHoldWhatBeginsAComment) {
+    EXPECT_EQ(included_file(glsl_tokens("#include \"p//own.glsl\" // p").front()), "p//own.glsl");
+    EXPECT_EQ(included_file(glsl_tokens("#include <p/*/own.glsl>").front()), "p/*/own.glsl");
+}
+
 TEST(GlslTokens, TellWhereTheyStand) {
     const std::vector<GlslToken> tokens = glsl_tokens("\xEF\xBB\xBF/* a\n */ x\r\n\t+= 2;");
     ASSERT_EQ(tokens.size(), 4U);

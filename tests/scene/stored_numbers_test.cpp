@@ -207,7 +207,11 @@ TEST_F(StoredNumbers, NoDataIsTheFilesTheSourcesAndNaN) {
                 ElementsAre(0.0F, 0.2F, 1.0F));
     EXPECT_THAT(filled(tiff({.width = 3, .values = {0, 7, 255}, .bits = 8, .big_endian = true, .nodata = " 7.0 "})),
                 ElementsAre(0.0F, 0.2F, 1.0F));
-    EXPECT_THAT(refusal_of(tiff({.width = 1, .values = {0}, .bits = 8, .nodata = "none"})), HasSubstr("damaged"));
+    HeightMapSource unread = tiff({.width = 3, .values = {0, 7, 255}, .bits = 8, .nodata = "-9999,0"});
+    EXPECT_THAT(refusal_of(unread), HasSubstr("'-9999,0' (GDAL_NODATA), which is no number"));
+    unread.nodata = 7;
+    EXPECT_THAT(filled(unread), ElementsAre(0.0F, 0.2F, 1.0F));
+    EXPECT_EQ(heights_of(tiff({.width = 1, .values = {0}, .bits = 8, .nodata = "-1.#QNAN"})).size(), 1U);
     HeightMapSource told = tiff({.width = 3, .values = {0, 7, 255}, .bits = 8});
     told.nodata = 0;
     EXPECT_THAT(filled(told), ElementsAre(0.2F, static_cast<float>(7 / 255.0), 1.0F));
