@@ -51,32 +51,44 @@ export function currentInk(): Ink {
   };
 }
 
-/** A chart that follows its element's size. `onClick` gets the clicked item's data. */
+/** A chart that is laid out for its element's size. `onClick` gets the clicked item's data. */
 export class Chart {
   readonly element: HTMLElement;
   private chart: EChartsType | null = null;
+  private make: ((width: number) => Option) | null = null;
   private option: Option | null = null;
+  private width = 0;
 
   constructor(label: string, onClick: (data: unknown) => void = () => {}) {
     this.element = h("div", { class: "chart", attrs: { role: "img", "aria-label": label } });
     new ResizeObserver(() => {
-      if (this.element.clientWidth === 0) return;
-      if (this.chart) {
-        this.chart.resize();
-        return;
-      }
       // An element that is not shown has no size yet.
-      this.chart = init(this.element, null, { renderer: "canvas" });
-      this.chart.on("click", (event) => onClick(event.data));
-      // Back from where wheel and drag have led.
-      this.chart.getZr().on("dblclick", () => this.show(this.option ?? {}));
-      this.chart.on("datazoom", () => this.numberWhatIsSeen());
-      if (this.option) this.chart.setOption(this.option, { notMerge: true });
+      if (this.element.clientWidth === 0) return;
+      const isFirst = this.chart === null;
+      if (this.chart === null) this.start(onClick);
+      else this.chart.resize();
+      if (isFirst || this.element.clientWidth !== this.width) this.draw();
     }).observe(this.element);
   }
 
-  show(option: Option): void {
-    this.option = { animation: false, ...option };
+  private start(onClick: (data: unknown) => void): void {
+    this.chart = init(this.element, null, { renderer: "canvas" });
+    this.chart.on("click", (event) => onClick(event.data));
+    // Back from where wheel and drag have led.
+    this.chart.getZr().on("dblclick", () => this.draw());
+    this.chart.on("datazoom", () => this.numberWhatIsSeen());
+  }
+
+  /** `make` is called now and whenever the width changes, with the width in pixels. */
+  show(make: (width: number) => Option): void {
+    this.make = make;
+    this.draw();
+  }
+
+  private draw(): void {
+    if (this.make === null || this.element.clientWidth === 0) return;
+    this.width = this.element.clientWidth;
+    this.option = { animation: false, ...this.make(this.width) };
     this.chart?.setOption(this.option, { notMerge: true });
   }
 

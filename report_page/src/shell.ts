@@ -142,10 +142,8 @@ export function startShell(data: PageData, body: HTMLElement): void {
     const view = shown();
     const focused = focusedSelector();
     for (const tab of tabs.querySelectorAll("button")) {
-      if (tab.dataset["view"] === view.name) {
-        tab.setAttribute("aria-current", "page");
-        tabs.scrollLeft = tab.offsetLeft - (tabs.clientWidth - tab.offsetWidth) / 2;
-      } else tab.removeAttribute("aria-current");
+      if (tab.dataset["view"] === view.name) tab.setAttribute("aria-current", "page");
+      else tab.removeAttribute("aria-current");
     }
     fill(
       aside,

@@ -76,7 +76,11 @@ export class Table<Row> {
   private readonly options: TableOptions<Row>;
   private rows: readonly Row[] = [];
   private columns: readonly Column<Row>[] = [];
-  private rowHeight = 30;
+  /** Pixels; of rows that were never drawn none is known. */
+  private heights: (number | undefined)[] = [];
+  private usualHeight = 30;
+  /** At which the heights were measured. */
+  private width = 0;
   private first = -1;
   private last = -1;
 
@@ -88,12 +92,17 @@ export class Table<Row> {
       h("table", { class: "rows" }, this.head, this.body),
     );
     this.element.addEventListener("scroll", () => this.draw(false), { passive: true });
-    new ResizeObserver(() => this.draw(false)).observe(this.element);
+    new ResizeObserver(() => {
+      const otherWidth = this.width !== this.element.clientWidth;
+      if (otherWidth) this.heights = [];
+      this.draw(otherWidth);
+    }).observe(this.element);
   }
 
   show(rows: readonly Row[], columns: readonly Column<Row>[], sort: string): void {
     this.rows = rows;
     this.columns = columns;
+    this.heights = [];
     const name = sort.replace(/^-/, "");
     const direction = sort.startsWith("-") ? "descending" : "ascending";
     fill(
@@ -126,15 +135,35 @@ export class Table<Row> {
     this.draw(true);
   }
 
-  /** Brings a row into sight. */
+  /** Brings a row into sight; again where rows that were drawn for it have other heights than were expected. */
   reveal(at: number): void {
-    const top = at * this.rowHeight;
-    const { scrollTop, clientHeight } = this.element;
-    const head = this.head.offsetHeight;
-    if (top < scrollTop) this.element.scrollTop = top;
-    else if (top + this.rowHeight > scrollTop + clientHeight - head) {
-      this.element.scrollTop = top + this.rowHeight - clientHeight + head;
+    const mostTries = 3;
+    for (let tries = 0; tries < mostTries; ++tries) {
+      const [top, bottom] = [this.heightOf(0, at), this.heightOf(0, at + 1)];
+      const { scrollTop, clientHeight } = this.element;
+      const room = clientHeight - this.head.offsetHeight;
+      if (top >= scrollTop && bottom <= scrollTop + room) return;
+      this.element.scrollTop = top < scrollTop ? top : bottom - room;
+      this.draw(false);
     }
+  }
+
+  /** Of the rows from `first` to before `last`. */
+  private heightOf(first: number, last: number): number {
+    let sum = 0;
+    for (let at = first; at < last; ++at) sum += this.heights[at] ?? this.usualHeight;
+    return sum;
+  }
+
+  /** The row at a height, and what of it lies above that. */
+  private rowAt(height: number): { at: number; above: number } {
+    let above = Math.max(0, height);
+    for (let at = 0; at < this.rows.length; ++at) {
+      const own = this.heightOf(at, at + 1);
+      if (above < own) return { at, above };
+      above -= own;
+    }
+    return { at: this.rows.length, above: 0 };
   }
 
   private cellsOf(row: Row): HTMLElement[] {
@@ -151,33 +180,40 @@ export class Table<Row> {
 
   private draw(afresh: boolean): void {
     const margin = 10;
-    const inSight = Math.ceil((this.element.clientHeight || 800) / this.rowHeight);
-    const first = Math.max(0, Math.floor(this.element.scrollTop / this.rowHeight) - margin);
-    const last = Math.min(this.rows.length, first + inSight + 2 * margin);
+    const { scrollTop, clientHeight } = this.element;
+    this.width = this.element.clientWidth;
+    const top = this.rowAt(scrollTop);
+    const first = Math.max(0, top.at - margin);
+    const last = Math.min(this.rows.length, this.rowAt(scrollTop + (clientHeight || 800)).at + margin);
     if (!afresh && first === this.first && last === this.last) return;
     [this.first, this.last] = [first, last];
-    const spacer = (count: number) =>
-      count === 0
-        ? null
-        : h("tr", { class: "spacer", attrs: { "aria-hidden": true, style: `height: ${count * this.rowHeight}px` } });
-    fill(
-      this.body,
-      spacer(first),
-      ...this.rows
-        .slice(first, last)
-        .map((row) =>
-          h(
-            "tr",
-            { class: this.options.rowClass(row), on: { click: () => this.options.onRow(row) } },
-            ...this.cellsOf(row),
-          ),
+    const spacer = () => h("tr", { class: "spacer", attrs: { "aria-hidden": true } });
+    const [before, behind] = [spacer(), spacer()];
+    const drawn = this.rows
+      .slice(first, last)
+      .map((row) =>
+        h(
+          "tr",
+          { class: this.options.rowClass(row), on: { click: () => this.options.onRow(row) } },
+          ...this.cellsOf(row),
         ),
-      spacer(this.rows.length - last),
-    );
-    const drawn = this.body.querySelector<HTMLElement>("tr:not(.spacer)");
-    if (drawn && drawn.offsetHeight > 0 && Math.abs(drawn.offsetHeight - this.rowHeight) > 0.5) {
-      this.rowHeight = drawn.offsetHeight;
-      this.draw(true);
+      );
+    const space = () => {
+      before.style.height = `${this.heightOf(0, first)}px`;
+      behind.style.height = `${this.heightOf(last, this.rows.length)}px`;
+    };
+    // Before anything is measured, so that the table is never too short for where it is scrolled to.
+    space();
+    fill(this.body, first > 0 && before, ...drawn, last < this.rows.length && behind);
+    const heights = drawn.map((element) => element.getBoundingClientRect().height);
+    // An element that is not shown has no sizes.
+    if (heights.some((height) => height > 0)) {
+      if (this.heights.length === 0) this.usualHeight = heights.reduce((sum, height) => sum + height) / heights.length;
+      heights.forEach((height, at) => (this.heights[first + at] = height));
     }
+    space();
+    // What is in sight stays where it is, whatever the rows above it turned out to be.
+    const kept = this.heightOf(0, top.at) + top.above;
+    if (top.at < this.rows.length && Math.abs(kept - this.element.scrollTop) > 1) this.element.scrollTop = kept;
   }
 }

@@ -110,8 +110,9 @@ export function axesView(app: App): View {
       if (swept.abscissa !== null) {
         const found = lines(cells, app.measured(), swept.abscissa, costMetric, errorMetric);
         const drawn = found.slice(0, mostLines);
-        costChart.show(lineOption(app, drawn, swept.abscissa, costMetric, (point) => point.cost));
-        errorChart.show(lineOption(app, drawn, swept.abscissa, errorMetric, (point) => point.error));
+        const { abscissa } = swept;
+        costChart.show(() => lineOption(app, drawn, abscissa, costMetric, (point) => point.cost));
+        errorChart.show(() => lineOption(app, drawn, abscissa, errorMetric, (point) => point.error));
         fill(note, ...notes(app, found, swept.abscissa).map((text) => h("span", {}, text)));
       } else if (beside === null) {
         fill(note, "The filter leaves no two cells that differ in nothing else.");

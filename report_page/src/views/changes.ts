@@ -86,7 +86,7 @@ function resultElement(app: App, result: ComparisonResult): { element: HTMLEleme
       fill(counts, ...verdictButtons(app, inFilter));
       const shown = inFilter.filter((cell) => isShown(cell, app.state.verdict));
       const sorted = app.state.sort === "" ? byAttention(shown) : sortRows(shown, columns, app.state.sort);
-      chart.show(ratioOption(app, shown, result));
+      chart.show(() => ratioOption(app, shown, result));
       table.show(sorted, columns, app.state.sort);
     },
   };

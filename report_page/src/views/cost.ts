@@ -38,8 +38,6 @@ import type { PointsMode } from "../state.ts";
 import { chartOption, manyMarks, type Mark, type Panel, panelLayout } from "./cost_chart.ts";
 
 const mostPanels = 12;
-/** Pixels, of a chart that is not yet on the page. */
-const usualWidth = 1000;
 /** So many views are told apart by panels of their own, unless something else is chosen. */
 const mostViewsByDefault = 6;
 
@@ -162,9 +160,10 @@ export function costView(app: App): View {
         .slice(0, mostPanels)
         .map(([title, members]) => makePanel(app, title, members, costMetric, errorMetric));
       chart.element.hidden = panels.length === 0;
-      const width = chart.element.clientWidth || Math.min(usualWidth, innerWidth);
-      chart.element.style.setProperty("--rows", String(panelLayout(panels.length, width).rows));
-      chart.show(chartOption(app, panels, costMetric, errorMetric, width));
+      chart.show((width) => {
+        chart.element.style.setProperty("--rows", String(panelLayout(panels.length, width).rows));
+        return chartOption(app, panels, costMetric, errorMetric, width);
+      });
       fill(note, ...noteTexts(app, panels, all.length, costMetric, errorMetric).map((text) => h("span", {}, text)));
       fill(front, panels.length === 1 ? frontTable(app, panels[0]!, costMetric, errorMetric) : null);
     },

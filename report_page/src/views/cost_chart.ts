@@ -110,7 +110,7 @@ function panelGrid(
         fontSize: ink.size * 1.05,
         fontWeight: 600,
         overflow: "truncate",
-        width: 1000 / columns,
+        width: (chartWidth * (width - 1)) / 100,
       },
     },
     grid: {

@@ -162,7 +162,7 @@ function sampledText(pass: Pass): string {
 
 function figure(title: string, words: string, option: Option): HTMLElement {
   const chart = new Chart(`Samples: ${title}`);
-  chart.show(option);
+  chart.show(() => option);
   return h(
     "figure",
     {},
