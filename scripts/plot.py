@@ -15,7 +15,11 @@ import argparse
 import dataclasses
 import re
 import sys
+import textwrap
 from pathlib import Path
+
+# Which the first line names, and for which Debian's packages are.
+DEBIANS_PYTHON = Path("/usr/bin/python3")
 
 try:
     import matplotlib
@@ -25,16 +29,23 @@ try:
     import numpy
     import pandas
 except ModuleNotFoundError as missing:
-    sys.exit(f"plot.py: there is no Python module {missing.name}; on Debian: apt install python3-matplotlib python3-pandas")
+    install = "apt install python3-matplotlib python3-pandas"
+    sys.exit(f"plot.py: {sys.executable} has no module {missing.name}. " + (
+        f"On Debian: {install}" if Path(sys.executable).resolve() == DEBIANS_PYTHON.resolve() else
+        f"Debian's packages are for {DEBIANS_PYTHON}: run scripts/plot.py itself or {DEBIANS_PYTHON} scripts/plot.py "
+        f"(where they are missing: {install})"))
 
 from plotted_axes import number
-from plotted_cells import (COSTS, ERRORS, HIT_LIMIT, VIEW_ANGLE, PlotError, apply_filters, counted, interval_of, positive,
-                           quantity, read_cells, with_direction, with_numbers)
+from plotted_cells import (COSTS, ERRORS, HIT_LIMIT, VIEW_ANGLE, PlotError, counted, interval_of, positive, quantity,
+                           read_cells, with_direction, with_numbers)
+from plotted_filters import apply_filters
 from plotted_lines import panels_of, with_lines
 from plotted_marks import LINES, style_of
 
 MOST_LINES = 22
 PANEL_INCHES = (3.3, 2.8)
+# In a line above a panel.
+TITLE_LETTERS = 48
 # Of the legend: its lines and margins, each letter, each entry.
 LEGEND_INCHES = 0.6
 LETTER_INCHES = 0.055
@@ -131,7 +142,7 @@ def legend_of(cells, styles, quantities, front):
         handles.append(plt.Line2D([], [], color="#555555", marker="|", markersize=6, linewidth=0.7, label="95 % interval of the time"))
     if not counted(cells).all():
         handles.append(plt.Line2D([], [], color="#555555", marker="o", markerfacecolor="none", markersize=4.5, linestyle="none",
-                                  label=f"> {HIT_LIMIT:.1%} of hits wrong"))
+                                  label=f"> {100 * HIT_LIMIT:g} % of hits wrong"))
     return handles
 
 
@@ -155,7 +166,7 @@ def make_figure(cells, x, y, options, log_x, log_y, each_setting=False, besides=
         draw_panel(axes, group, styles, (x.column, placed_x), (y.column, placed_y))
         if front:
             draw_front(axes, group, x, y, (placed_x, placed_y))
-        axes.set_title(name, fontsize=8)
+        axes.set_title(textwrap.fill(name, TITLE_LETTERS), fontsize=8)
         axes.grid(True, which="major", linewidth=0.3, color="#cccccc")
     for axes in list(grid.flat)[:len(panels)]:
         number(axes.xaxis, log_x, swept)
@@ -215,7 +226,8 @@ def parse_arguments():
     parser.add_argument("--error", default="uv", metavar="NAME", help=", ".join(ERRORS) + ", or a column (default: uv)")
     parser.add_argument("--cost", default="ms", metavar="NAME", help=", ".join(COSTS) + ", or a column (default: ms)")
     parser.add_argument("--filter", action="append", default=[], metavar="EXPR",
-                        help="keep cells with technique=pom,qdm, view_angle>=60 or any axis or parameter (may be repeated)")
+                        help="keep cells with technique=pom,qdm, view_angle>=60, view_angle=[0:80:20], max_steps!=8 or any axis or "
+                             "parameter, as reliefbench run --filter does (may be repeated)")
     parser.add_argument("--title", default="", metavar="TEXT", help="above the figure; default: none, a paper has its caption")
     parser.add_argument("--dpi", type=int, default=200, metavar="N", help="of a .png (default: 200)")
     return parser.parse_args()

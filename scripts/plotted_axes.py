@@ -12,10 +12,20 @@ DECADE_STEPS = [(1,), (1, 3), (1, 2, 5), tuple(range(1, 10))]
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def tick_text(value):
-    """0.03, 1024; 10⁻⁵ where nobody would count the zeros."""
+def reads_written_out(value):
+    """Where nobody would count the zeros it does not."""
+    return value == 0 or 0.99e-4 < abs(value) < 0.99e7
+
+
+def tick_texts(values):
+    """Of one axis, all in one form: 0.03, 1024 or, where one of them does not read written out, 3·10⁻², 10⁻⁵."""
+    written_out = all(map(reads_written_out, values))
+    return [tick_text(value, written_out) for value in values]
+
+
+def tick_text(value, written_out):
     size = abs(value)
-    if size == 0 or 0.99e-4 < size < 0.99e7:
+    if size == 0 or written_out:
         return f"{value:.10f}".rstrip("0").rstrip(".").replace("-", "−")
     exponent = math.floor(math.log10(size) + 1e-9)
     factor = f"{value / 10 ** exponent:.6g}".replace("-", "−")
@@ -51,5 +61,5 @@ def number(axis, is_logarithmic, values=()):
     low, high = sorted(axis.get_view_interval())
     ticks = values or (log_ticks if is_logarithmic else linear_ticks)(low, high)
     axis.set_major_locator(matplotlib.ticker.FixedLocator(ticks))
-    axis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda value, _: tick_text(value)))
+    axis.set_major_formatter(matplotlib.ticker.FixedFormatter(tick_texts(ticks)))
     axis.set_minor_locator(matplotlib.ticker.NullLocator())

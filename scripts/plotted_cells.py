@@ -4,6 +4,7 @@ import dataclasses
 import difflib
 import json
 import re
+import shlex
 from pathlib import Path
 
 import numpy
@@ -85,6 +86,9 @@ def read_cells(files):
     for file in files:
         try:
             frames.append(pandas.read_csv(file))
+        except IsADirectoryError:
+            raise PlotError(f"{file} is a folder; export the run first: reliefbench export {shlex.quote(str(file))} --format csv "
+                            "-o cells.csv, and name cells.csv instead") from None
         except OSError as error:
             raise PlotError(f"{file}: {error.strerror}") from error
         except (pandas.errors.ParserError, pandas.errors.EmptyDataError, UnicodeDecodeError) as error:
@@ -98,48 +102,6 @@ def read_cells(files):
         raise PlotError(f"{', '.join(files)}: no cell was measured ({len(cells)} failed or were skipped)")
     # Among all techniques, so that neither a filter nor a failure changes one's mark.
     return with_best_ratios(measured.assign(mark=measured["technique"].map(mark_numbers(cells["technique"]))))
-
-
-def find_column(cells, name):
-    for column in (name, f"axes.{name}", f"params.{name}"):
-        if column in cells.columns:
-            return column
-    raise PlotError(f"--filter: there is no axis or parameter '{name}'; there are " + ", ".join(setting_names(cells)))
-
-
-def setting_names(cells):
-    return ["technique"] + [name.split(".", 1)[1] for name in cells.columns if name.startswith(("axes.", "params."))]
-
-
-def equals(values, text):
-    """Numbers as numbers: 60 is 60.0."""
-    try:
-        return pandas.to_numeric(values, errors="coerce") == float(text)
-    except ValueError:
-        return values.astype(str).str.lower() == text.lower()
-
-
-def apply_filters(cells, filters):
-    for expression in filters:
-        match = re.fullmatch(r"([\w.]+)(<=|>=|=|<|>)(.+)", expression)
-        if not match:
-            raise PlotError(f"--filter: expected NAME=V1,V2 or NAME>=V, found '{expression}'")
-        name, relation, text = match.groups()
-        values = cells[find_column(cells, name)]
-        if relation == "=":
-            chosen = pandas.concat([equals(values, each) for each in text.split(",")], axis=1).any(axis=1)
-        else:
-            try:
-                limit = float(text)
-            except ValueError:
-                raise PlotError(f"--filter: expected a number after '{relation}', found '{text}'") from None
-            numbers = pandas.to_numeric(values, errors="coerce")
-            chosen = {"<": numbers < limit, "<=": numbers <= limit, ">": numbers > limit, ">=": numbers >= limit}[relation]
-        if not chosen.any():
-            there = ", ".join(sorted(values.dropna().astype(str).unique())[:12])
-            raise PlotError(f"--filter {expression}: no cell is left; {name} is one of {there}")
-        cells = cells[chosen]
-    return cells
 
 
 def has_numbers(cells, column):

@@ -3,7 +3,7 @@ data.ts) and of cells' ids."""
 
 import pandas
 
-from plotted_cells import PlotError
+from plotted_cells import VIEW_ANGLE, PlotError
 
 MOST_PANELS = 6
 # Axes whose values speak for themselves.
@@ -36,10 +36,10 @@ def varying(cells, prefix, besides=()):
 def panels_of(cells, besides=()):
     """(title, cells) of each view, told by the axes that differ."""
     axes = varying(cells, "axes.", besides)
-    groups = [((), cells)]
-    if axes:
-        by = axes[0] if len(axes) == 1 else axes
-        groups = [(key if isinstance(key, tuple) else (key,), group) for key, group in cells.groupby(by, dropna=False)]
+    if not axes:
+        return [(only_view(cells, besides), cells)]
+    by = axes[0] if len(axes) == 1 else axes
+    groups = [(key if isinstance(key, tuple) else (key,), group) for key, group in cells.groupby(by, dropna=False)]
     if len(groups) > MOST_PANELS:
         values = "; ".join(f"{short(name)}: {', '.join(map(text_of, sorted(cells[name].dropna().unique())))}" for name in axes)
         raise PlotError(f"{len(groups)} views are left, and {MOST_PANELS} panels are the most; choose with --filter ({values})")
@@ -48,6 +48,14 @@ def panels_of(cells, besides=()):
         texts = [axis_value_text(short(name), value) for name, value in zip(axes, key) if not pandas.isna(value)]
         panels.append((" · ".join(texts), group))
     return panels
+
+
+def only_view(cells, besides):
+    """Of cells of one view: what their ids say of it, and what nobody guesses."""
+    named = {word.split("=")[0] for word in cells["cell"].iloc[0].split(" | ")[-1].split(" ")} | {"heightmap", short(VIEW_ANGLE)}
+    first = cells.iloc[0]
+    return " · ".join(axis_value_text(short(name), first[name]) for name in cells.columns
+                      if name.startswith("axes.") and short(name) in named and name not in besides and not pandas.isna(first[name]))
 
 
 def running_parameters(cells):

@@ -88,7 +88,8 @@ class Plot(unittest.TestCase):
                         "--filter", "technique=steep,pom")
         self.shows(text, "Taps per pixel, lower is better")
         self.assertIn(">FLIP", text)
-        self.assertFalse("60°" in text)
+        self.assertRegex(text, r">bricks · [^<]*60°[^<]*<")
+        self.assertFalse("30°" in text)
         self.shows(self.svg("pareto", "cells.csv", "--error", "error.depth.rms"), "Depth error, RMS (patch sides)")
 
     def front(self, cost, error, cells):
@@ -182,12 +183,78 @@ class Plot(unittest.TestCase):
 
     def test_numbers_at_axes_are_those_of_the_report(self):
         axes = sys.modules["plotted_axes"]
-        self.assertEqual([axes.tick_text(value) for value in (0.03, 1024, 16384, 0.0001, -0.5, 0, 1e-5, 3e-6, 1e7)],
-                         ["0.03", "1024", "16384", "0.0001", "−0.5", "0", "10⁻⁵", "3·10⁻⁶", "10⁷"])
+        self.assertEqual(axes.tick_texts([0.03, 1024, 16384, 0.0001, -0.5, 0]),
+                         ["0.03", "1024", "16384", "0.0001", "−0.5", "0"])
+        self.assertEqual(axes.tick_texts([1e-5, 3e-6, 1e7, 0.0001, 0.5, 0]),
+                         ["10⁻⁵", "3·10⁻⁶", "10⁷", "10⁻⁴", "5·10⁻¹", "0"])
         for low in (1e-9, 0.0137, 0.99, 1, 730):
             for factor in (1.0001, 1.02, 1.44, 1.9, 3, 12, 1e3, 1e7, 1e13):
                 for ticks in (axes.log_ticks(low, low * factor), axes.linear_ticks(low, low * factor)):
                     self.assertTrue(2 <= len(ticks) <= 10, f"{low} times {factor}: {ticks}")
+
+    def test_all_numbers_of_an_axis_have_one_form(self):
+        header = "cell,technique,status,time.draw.median_ms,error.uv_texels.p99"
+        rows = [f"{name} | ,{name},ok,{1 + at},{10.0 ** -at}" for at, name in enumerate("abcdef")]
+        (self.path / "decades.csv").write_text("\n".join([header, *rows]) + "\n")
+        axis = self.figure("pareto", "decades.csv")[0].yaxis
+        low, high = sorted(axis.get_view_interval())
+        texts = [tick.label1.get_text() for tick in axis.get_major_ticks() if low <= tick.get_loc() <= high]
+        self.assertEqual(texts, ["10⁻⁵", "10⁻⁴", "10⁻³", "10⁻²", "10⁻¹", "10⁰"])
+
+    def test_a_single_panel_says_which_view_it_is_of(self):
+        panels = self.figure("pareto", "cells.csv", "--filter", "view_angle=60")
+        self.assertEqual(len(panels), 1)
+        for words in ("bricks", "60°"):
+            self.assertIn(words, panels[0].get_title().split(" · "))
+        self.assertLess(max(map(len, panels[0].get_title().splitlines())), 49)
+        over_angles = self.figure("angle", "cells.csv")[0].get_title().split(" · ")
+        self.assertIn("bricks", over_angles)
+        self.assertFalse(any("°" in words for words in over_angles), over_angles)
+
+    def test_filters_have_the_grammar_of_reliefbench(self):
+        header = "cell,technique,status,time.draw.median_ms,error.uv_texels.p99,axes.heightmap,axes.view_angle,params.exact"
+        rows = ['a,a,ok,1,1,"a,b.png",30,true', 'b,b,ok,1,1,"[x,y].png",45,false', "c,c,ok,1,1,007,60,", "d,d,ok,1,1,7,0.3,"]
+        (self.path / "filtered.csv").write_text("\n".join([header, *rows]) + "\n")
+        cells = self.script.read_cells([str(self.path / "filtered.csv")])
+
+        def kept(*filters):
+            return "".join(self.script.apply_filters(cells, filters)["technique"])
+        for expected, *filters in (
+                ("a", 'heightmap="a,b.png"'), ("ac", 'heightmap="a,b.png",007'), ("b", 'heightmap=["[x,y].png"]'),
+                ("ab", 'heightmap=["a,b.png","[x,y].png"]'), ("d", "heightmap=7"), ("c", "heightmap=007"),
+                ("ab", "view_angle=[30:50:15]"), ("abd", "view_angle=[0.1:0.4:0.1],30,45"), ("bc", "view_angle=[45,60.0]"),
+                ("bcd", "technique!=a"), ("cd", "technique!=a,b"), ("c", "view_angle>=45", "technique!=b"), ("a", "exact=true"),
+                ("b", "exact=false"), ("ad", "view_angle<45"), ("abcd", "view_angle=0.3,3e1,45,60")):
+            self.assertEqual(kept(*filters), expected, filters)
+        for words, text in (("lacks its closing quote", 'heightmap="a,b.png'), ("lacks its closing bracket", "view_angle=[30,45"),
+                            ("a value is missing", "view_angle=30,,45"), ("expected a comma behind [x,y]", "heightmap=[x,y].png"),
+                            ("[start:stop:step]", "view_angle=[0:9]"), ("steps away", "view_angle=[9:0:1]"),
+                            ("expected one number", "view_angle<30,45"), ("expected one number", "view_angle<steep"),
+                            ("expected name=value", "=3")):
+            with self.assertRaises(sys.modules["plotted_cells"].PlotError) as raised:
+                kept(text)
+            self.assertIn(words, str(raised.exception))
+
+    def test_reliefbench_keeps_the_same_cells_by_the_same_filters(self):
+        for text in ("view_angle=[30:50:15]", "technique!=pom,flat", 'technique="pom",steep', 'technique=["pom","flat"]',
+                     "max_steps!=4",
+                     "heightmap=[\"bricks\"]"):
+            listed = subprocess.run([RELIEFBENCH, "run", "plot.json", "--dry-run", "--filter", text], cwd=self.path,
+                                    capture_output=True, text=True)
+            cells = self.script.read_cells([str(self.path / "cells.csv")])
+            try:
+                kept = set(self.script.apply_filters(cells, [text])["cell"])
+            except self.script.PlotError:
+                kept = None
+            self.assertEqual((text, kept is not None), (text, listed.returncode == 0), listed.stderr)
+            if kept is not None:
+                self.assertEqual({cell for cell in cells["cell"] if cell in listed.stdout}, kept, text)
+
+    def test_the_limit_of_hits_is_written_as_in_the_report(self):
+        header = "cell,technique,status,time.draw.median_ms,error.uv_texels.p99,error.missed"
+        (self.path / "missed.csv").write_text(f"{header}\na | ,a,ok,1,1,0.1\nb | ,b,ok,2,1,0\n")
+        text = self.svg("pareto", "missed.csv")
+        self.assertIn("0.5 % of hits wrong", text)
 
     def test_times_have_their_95_percent_interval_as_bars(self):
         header = "cell,technique,status,time.draw.median_ms,time.draw.ci95_ms.low,time.draw.ci95_ms.high,time.ns_per_pixel," \
@@ -258,15 +325,27 @@ class Plot(unittest.TestCase):
 
     def test_bad_input_ends_with_a_message(self):
         self.refused(["none.csv", "No such file"], "pareto", "none.csv")
+        self.refused(["run is a folder", "reliefbench export run --format csv -o cells.csv"], "pareto", "run")
         self.refused(["no column 'cell'", "reliefbench export --format csv"], "pareto", "plot.json")
         self.refused(["'time.speed'", "short names: ms"], "pareto", "cells.csv", "--cost", "time.speed")
         self.refused(["did you mean 'error.depth.max'?"], "pareto", "cells.csv", "--error", "error.depht.max")
         self.refused(['"motion"'], "pareto", "cells.csv", "--error", "motion")
         self.refused(["no cell is left", "30"], "pareto", "cells.csv", "--filter", "view_angle=45")
         self.refused(["no axis or parameter 'angle'", "view_angle"], "pareto", "cells.csv", "--filter", "angle=45")
-        self.refused(["NAME=V1,V2"], "pareto", "cells.csv", "--filter", "view_angle")
-        self.refused(["expected a number"], "pareto", "cells.csv", "--filter", "view_angle>steep")
+        self.refused(["name=value,value"], "pareto", "cells.csv", "--filter", "view_angle")
+        self.refused(["expected one number"], "pareto", "cells.csv", "--filter", "view_angle>steep")
         self.refused(["one view angle"], "angle", "cells.csv", "--filter", "view_angle=60")
+
+    def test_a_python_without_the_modules_is_told_apart_from_a_machine_without_them(self):
+        def told(executable):
+            code = (f"import runpy, sys; sys.modules['matplotlib'] = None; sys.executable = {executable!r}; "
+                    f"runpy.run_path({str(PLOT)!r}, run_name='__main__')")
+            return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stderr
+        install = "apt install python3-matplotlib python3-pandas"
+        self.assertEqual(told("/usr/bin/python3"), f"plot.py: /usr/bin/python3 has no module matplotlib. On Debian: {install}\n")
+        self.assertEqual(told("/opt/other/python3"),
+                         "plot.py: /opt/other/python3 has no module matplotlib. Debian's packages are for /usr/bin/python3: run "
+                         f"scripts/plot.py itself or /usr/bin/python3 scripts/plot.py (where they are missing: {install})\n")
 
     def test_the_script_ends_with_a_message_and_a_code(self):
         outcome = subprocess.run([PLOT, "pareto", "cells.csv", "-o", "front.gif"], cwd=self.path, capture_output=True,
