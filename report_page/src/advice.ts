@@ -27,6 +27,11 @@ export interface Candidate extends SettingPoint {
 
 export interface Advice {
   winner: Candidate | null;
+  /** How many keep to the limits. */
+  kept: number;
+  /** Of those the one with the least error, and how many have an error that cannot be told from it. */
+  least: Candidate | null;
+  asExact: number;
   /** The best of another technique that keeps to the limits. */
   runnerUp: Candidate | null;
   /** Others within the limits that cannot be told apart from the winner by what was asked for. */
@@ -134,7 +139,7 @@ function bestOf(kept: readonly Candidate[], question: Question, byError: Order, 
   return asExact.sort(byCost)[0]!;
 }
 
-const errorsAreLimited = ({ limits }: Question) => limits.some(({ metric }) => metric.role === "error");
+export const errorsAreLimited = ({ limits }: Question) => limits.some(({ metric }) => metric.role === "error");
 
 /** The limit on the cost. */
 export function budgetOf({ cost, limits }: Question): Limit | null {
@@ -178,6 +183,7 @@ export function advise(all: readonly Candidate[], question: Question): Advice {
   const counted = all.filter((point) => point.counts);
   const kept = counted.filter(keepsAll);
   const winner = bestOf(kept, question, byError, byCost);
+  const least = [...kept].sort(byError)[0] ?? null;
   const nearest =
     winner === null
       ? ([...counted].sort((a, b) => {
@@ -192,6 +198,9 @@ export function advise(all: readonly Candidate[], question: Question): Advice {
     (errorsAreLimited(question) || sameError(error, point, winner));
   return {
     winner,
+    kept: kept.length,
+    least,
+    asExact: least === null ? 0 : kept.filter((point) => sameError(error, point, least)).length,
     runnerUp: bestOf(
       kept.filter(({ technique }) => technique !== winner?.technique),
       question,

@@ -46,6 +46,25 @@ function answer(of: typeof cells, ...limits: Limit[]) {
   };
 }
 
+test("why a setting is advised: how many keep to the limits, the least error, and how many cannot be told from it", () => {
+  const near = cellsOf([
+    timed("pom", 8, 60, 1, 0.167),
+    timed("qdm", 1, 60, 3, 0.0455),
+    timed("qdm", 2, 60, 2, 0.1),
+    timed("flat", 1, 60, 0.1, 9),
+    timed("slow", 1, 60, 9, 0),
+  ]);
+  const question: Question = { cost, error: flip, limits: [budget(5)] };
+  const { winner, least, kept, asExact } = advise(
+    candidates(near, [...near.id.keys()], question).all,
+    question,
+  );
+  assert.deepEqual(
+    [winner?.setting, least?.setting, kept, asExact],
+    ["pom max_steps=8", "qdm max_steps=1", 4, 3],
+  );
+});
+
 test("a setting is the worst, or the mean, of its views; one that lacks a view cannot be set against the others", () => {
   const worst = settingPoints(cells, all, cost, error, "worst");
   assert.deepEqual(

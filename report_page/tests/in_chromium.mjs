@@ -46,6 +46,11 @@ testsOfPage(() => {
     "even",
     ["a", "b"].map((technique, at) => measured({ technique, ms: 1 + at / 100, uv: 1 })),
   );
+  write("near", [
+    measured({ technique: "flat", ms: 0.1, uv: 20 }),
+    measured({ technique: "pom", ms: 1, uv: 0.167 }),
+    measured({ technique: "qdm", ms: 3, uv: 0.0455 }),
+  ]);
   write("large", largeRun(10_000), { rounds: 3 });
   report("small", "small");
   report("changes", "small", "slower");
@@ -53,6 +58,7 @@ testsOfPage(() => {
   report("empty", "empty");
   report("shadows", "shadows");
   report("even", "even");
+  report("near", "near");
   report("large", "large");
 });
 
@@ -141,6 +147,20 @@ test("what to use is said in words for a budget, with what more would buy and wh
     await page.textContent(".answer"),
     /Nothing does that\. Nearest comes pommax_steps=8: draw time 0\.0800 ms and not 0\.0100 ms; FLIP[^0-9]* 0\.0100.*0\.320 ms buys FLIP[^0-9]* 0\.00250/,
   );
+});
+
+test("why a setting is advised stands beside it, so that a better one that it cannot be told from is no contradiction", async () => {
+  await open("near", "view=advice&budget=5");
+  assert.match(
+    await page.textContent(".answer"),
+    /Use pom: FLIP[^0-9]* 0\.00167.*The least FLIP[^0-9]* within the budget is 0\.000455, of qdm: too near to 0\.00167 to be told apart \(that takes more than 0\.002 and 2 %\); it is the cheapest of the 2 settings of which that is so\./,
+  );
+  await open("near", "view=advice&budget=5&limit.error.uv_texels.p99=1");
+  assert.match(await page.textContent(".answer .why"), /^It is the cheapest of the 2 settings that keep to the limits\.$/);
+  await open("near", "view=advice&budget=2");
+  assert.match(await page.textContent(".answer .why"), /^Its FLIP.* is the least within the budget\.$/);
+  await open("near", "view=advice&budget=0.5");
+  assert.match(await page.textContent(".answer .why"), /^It is the only setting that keeps to the budget\.$/);
 });
 
 test("several limits hold at once, of any figure, and the address has them", async () => {

@@ -7,6 +7,7 @@ import {
   adviceGroups,
   type Candidate,
   candidates,
+  errorsAreLimited,
   excess,
   type Limit,
   type Question,
@@ -257,6 +258,7 @@ function winnerWords(app: App, advice: Advice, winner: Candidate, question: Ques
   const figures = [errorWords(error, winner.error), ...others].join(", ");
   const words = [
     h("p", { class: "winner" }, "Use ", pinnable(app, winner), `: ${figures}, ${costWords(cost, winner.cost)}.`),
+    reasonElement(app, advice, winner, question),
     shareElement(app, winner, question),
   ];
   if (advice.asGood.length > 0) words.push(asGoodElement(app, advice.asGood, question));
@@ -273,6 +275,39 @@ function winnerWords(app: App, advice: Advice, winner: Candidate, question: Ques
         ),
   );
   return words;
+}
+
+/** Why this one: by the rules of docs/report.md, "Advice". */
+function reasonElement(app: App, advice: Advice, winner: Candidate, question: Question): HTMLElement {
+  const { error } = question;
+  const { least, kept, asExact } = advice;
+  const all = question.limits.length > 1 ? "the limits" : budgetOf(question) ? "the budget" : "the limit";
+  const best = error.better === "lower" ? "least" : "highest";
+  const because = (...words: (HTMLElement | string)[]) => h("p", { class: "small why" }, ...words);
+  if (kept === 1) return because(`It is the only setting that keeps to ${all}.`);
+  if (errorsAreLimited(question)) return because(`It is the cheapest of the ${kept} settings that keep to ${all}.`);
+  const figure = inSentence(error.label);
+  if (asExact === 1 || least === null) return because(`Its ${figure} is the ${best} within ${all}.`);
+  const cheapest = `it is the cheapest of the ${asExact} settings of which that is so`;
+  if (least.error === winner.error) {
+    return because(`Within ${all} no ${figure} can be told to be better; ${cheapest}.`);
+  }
+  return because(
+    `The ${best} ${figure} within ${all} is ${metricText(error, least.error)}, of `,
+    pinnable(app, least),
+    `: too near to ${metricText(error, winner.error)} to be told apart (${toleranceWords(error)}); ${cheapest}.`,
+  );
+}
+
+/** "that takes more than 0.002 and 2 %" */
+function toleranceWords(error: Metric): string {
+  const { absolute, relative } = error.tolerance;
+  const shortest = (value: number) => String(Number(value.toPrecision(3)));
+  const parts = [
+    ...(absolute > 0 ? [`${shortest(absolute)}${error.unit === "" ? "" : ` ${error.unit}`}`] : []),
+    ...(relative > 0 ? [`${shortest(100 * relative)} %`] : []),
+  ];
+  return `that takes more than ${parts.join(" and ")}`;
 }
 
 /** A time is worth what it is of: a full screen of relief, or a distant wall. */
