@@ -9,9 +9,8 @@ COLOURS = MARKS["colours"]["light"]
 SHAPES = MARKS["shapes"]
 # Colours and shapes have no common divisor, so that no two numbers below this have both in common.
 MARK_COUNT = len(COLOURS) * len(SHAPES)
-# Lines of one technique, which share colour and marker: how each is dashed and its markers are filled.
-LINES = [("-", "full"), ((0, (5, 2)), "left"), ((0, (1, 1.5)), "right"), ((0, (6, 1.5, 1, 1.5)), "bottom"),
-         ((0, (3, 1, 1, 1, 1, 1)), "top")]
+# Lines of one technique, which share colour and marker: how each is dashed (in widths of the line) and its markers are filled.
+LINES = [((0, tuple(line["dash"])) if line["dash"] else "-", line["filled"]) for line in MARKS["lines"]]
 
 
 def fnv1a(text, basis):

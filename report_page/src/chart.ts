@@ -96,8 +96,9 @@ export class Chart {
   private numberWhatIsSeen(): void {
     const of = (name: "xAxis" | "yAxis") =>
       [this.option?.[name] ?? []].flat().map((axis, at) => {
-        const { ticksOf } = axis as Partial<TickedAxis>;
-        return ticksOf === undefined ? {} : customTicks(ticksOf(...seenExtent(this.chart!, name, at)));
+        const { ticksOf, textOf } = axis as Partial<TickedAxis>;
+        if (ticksOf === undefined || textOf === undefined) return {};
+        return customTicks(ticksOf(...seenExtent(this.chart!, name, at)), textOf);
       });
     this.chart?.setOption({ xAxis: of("xAxis"), yAxis: of("yAxis") });
   }
@@ -106,10 +107,12 @@ export class Chart {
 /** An axis whose numbers are chosen here: ECharts' own may be one or none on a short logarithmic axis. */
 interface TickedAxis {
   ticksOf(from: number, to: number): number[];
+  textOf(value: number, ofAxis: readonly number[]): string;
 }
 
-function customTicks(values: number[]): Record<string, object> {
-  return { axisTick: { customValues: values }, axisLabel: { customValues: values } };
+function customTicks(values: number[], textOf: TickedAxis["textOf"]): Record<string, object> {
+  const formatter = (value: number) => textOf(value, values);
+  return { axisTick: { customValues: values }, axisLabel: { customValues: values, formatter } };
 }
 
 /** What zooming has left of an axis; nothing that is public tells. */
@@ -121,18 +124,19 @@ function seenExtent(chart: EChartsType, name: string, at: number): [number, numb
   return model.getComponent(name, at).axis.scale.getExtent();
 }
 
-/** The axis with numbers at `ticksOf` what is seen of it, `text` of each. */
+/** The axis with numbers at `ticksOf` what is seen of it, `textOf` each. */
 export function ticked(
   axis: Record<string, unknown> & { min: number; max: number },
   ticksOf: TickedAxis["ticksOf"],
-  text: (value: number) => string,
+  textOf: TickedAxis["textOf"],
 ): Record<string, unknown> {
-  const { axisTick, axisLabel } = customTicks(ticksOf(axis.min, axis.max));
+  const { axisTick, axisLabel } = customTicks(ticksOf(axis.min, axis.max), textOf);
   return {
     ...axis,
     ticksOf,
+    textOf,
     axisTick: { ...(axis["axisTick"] as object), ...axisTick },
-    axisLabel: { ...(axis["axisLabel"] as object), ...axisLabel, formatter: text },
+    axisLabel: { ...(axis["axisLabel"] as object), ...axisLabel },
   };
 }
 

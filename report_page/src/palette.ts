@@ -51,6 +51,69 @@ export function markOf(number: number, theme: Theme): Mark {
   return { colour: colours[number % colours.length]!, symbol: echarts ?? `path://${path}` };
 }
 
+/** How lines of one technique, which share its mark, are told apart: in widths of the line, and which side is filled. */
+export interface LineLook {
+  dash: number[];
+  filled: "full" | "left" | "right" | "bottom" | "top";
+}
+
+/** `at` counts the technique's lines from 0. Dashes and filling go on in other pairs where all are in use. */
+export function lineLook(at: number): LineLook {
+  const looks = marks.lines as LineLook[];
+  const round = Math.floor(at / looks.length);
+  return { dash: looks[at % looks.length]!.dash, filled: looks[(at + round) % looks.length]!.filled };
+}
+
+/** Where from and where to the filled half lies, as parts of the marker. */
+function filledPart(filled: LineLook["filled"]): { x: number; y: number; x2: number; y2: number } {
+  const ends = { full: [0, 0, 0, 0], left: [0, 0, 1, 0], right: [1, 0, 0, 0], top: [0, 0, 0, 1], bottom: [0, 1, 0, 0] };
+  const [x, y, x2, y2] = ends[filled];
+  return { x: x!, y: y!, x2: x2!, y2: y2! };
+}
+
+/** For ECharts: the colour, or half of it and half of `empty`. */
+export function filling(colour: string, filled: LineLook["filled"], empty: string): string | object {
+  if (filled === "full") return colour;
+  const stops: [number, string][] = [
+    [0, colour],
+    [0.5, colour],
+    [0.5, empty],
+    [1, empty],
+  ];
+  return { type: "linear", ...filledPart(filled), colorStops: stops.map(([offset, color]) => ({ offset, color })) };
+}
+
+/** The mark on its line as an element for legends. */
+export function lineElement(number: number, theme: Theme, { dash, filled }: LineLook): SVGSVGElement {
+  const namespace = "http://www.w3.org/2000/svg";
+  const colour = markOf(number, theme).colour;
+  const add = (parent: Element, name: string, attributes: Record<string, string | number>) => {
+    const element = document.createElementNS(namespace, name);
+    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
+    parent.appendChild(element);
+    return element;
+  };
+  const svg = document.createElementNS(namespace, "svg");
+  svg.setAttribute("viewBox", "0 0 40 12");
+  svg.setAttribute("class", "line-mark");
+  svg.setAttribute("aria-hidden", "true");
+  const width = 1.6;
+  add(svg, "path", {
+    d: "M0 6H40",
+    stroke: colour,
+    "stroke-width": width,
+    "stroke-dasharray": dash.map((length) => length * width).join(" "),
+  });
+  const clip = { full: [0, 0, 10, 10], left: [0, 0, 5, 10], right: [5, 0, 5, 10], top: [0, 0, 10, 5], bottom: [0, 5, 10, 5] };
+  const [x, y, across, down] = clip[filled];
+  const marker = add(svg, "svg", { x: 15, y: 1, width: 10, height: 10, viewBox: "0 0 10 10", overflow: "visible" });
+  const d = shapes[number % shapes.length]!.path;
+  add(marker, "path", { d, fill: "var(--panel)", stroke: colour });
+  const half = add(marker, "svg", { x: x!, y: y!, width: across!, height: down!, viewBox: `${x} ${y} ${across} ${down}` });
+  add(half, "path", { d, fill: colour });
+  return svg;
+}
+
 /** The mark as an element for legends and tables. */
 export function markElement(number: number, theme: Theme): SVGSVGElement {
   const namespace = "http://www.w3.org/2000/svg";

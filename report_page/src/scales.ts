@@ -68,10 +68,19 @@ export function linearTicks(min: number, max: number): number[] {
 
 const superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
-/** 0.03, 1024; 10⁻⁵, 3·10⁷ where nobody would count the zeros. */
-export function tickText(value: number): string {
+/** Where nobody would count the zeros it does not. */
+function readsWrittenOut(value: number): boolean {
   const size = Math.abs(value);
-  if (size === 0 || (size > 0.99e-4 && size < 0.99e7)) return String(exact(value)).replace("-", "−");
+  return size === 0 || (size > 0.99e-4 && size < 0.99e7);
+}
+
+/**
+ * 0.03, 1024; 10⁻⁵, 3·10⁷ where the value does not read written out, or one of the others at its axis does not: all of an
+ * axis have one form.
+ */
+export function tickText(value: number, ofAxis: readonly number[] = [value]): string {
+  const size = Math.abs(value);
+  if (size === 0 || ofAxis.every(readsWrittenOut)) return String(exact(value)).replace("-", "−");
   const exponent = Math.floor(Math.log10(size) + 1e-9);
   const digits = [...String(Math.abs(exponent))].map((digit) => superscripts[Number(digit)]).join("");
   const factor = Number((value / 10 ** exponent).toPrecision(6));
@@ -86,8 +95,8 @@ export interface FigureScale {
   max: number;
   /** Where a value is drawn: zeros of a logarithmic axis and infinite values lie on the axis' end. */
   place(value: number): number;
-  /** What stands at a tick. */
-  text(value: number): string;
+  /** What stands at a tick, of those of the axis. */
+  text(value: number, ofAxis?: readonly number[]): string;
   /** Where numbers stand of what is seen of the axis. */
   ticks(from: number, to: number): number[];
 }
@@ -104,7 +113,8 @@ export function figureScale(values: readonly number[], better: "lower" | "higher
       min: range.min,
       max: range.max,
       place: (value) => (value > 0 ? value : range.zero),
-      text: (value) => (range.hasZero && value === range.min ? "0" : tickText(value)),
+      text: (value, ofAxis) =>
+        range.hasZero && value === range.min ? "0" : tickText(value, range.hasZero ? ofAxis?.filter((each) => each !== range.min) : ofAxis),
       ticks: (from, to) => {
         if (!range.hasZero || from > range.zero) return logTicks(from, to);
         const room = 1.6;
@@ -122,7 +132,7 @@ export function figureScale(values: readonly number[], better: "lower" | "higher
     min: least - room,
     max,
     place: (value) => Math.min(value, max),
-    text: (value) => (hasInfinite && value === max ? "∞" : tickText(value)),
+    text: (value, ofAxis) => (hasInfinite && value === max ? "∞" : tickText(value, ofAxis)),
     ticks: (from, to) => {
       if (!hasInfinite || to < max) return linearTicks(from, to);
       return [...linearTicks(from, to).filter((tick) => tick <= greatest + room), max];

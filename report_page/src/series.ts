@@ -23,6 +23,8 @@ export interface LinePoint {
 export interface Line {
   name: string;
   technique: string;
+  /** Counts the lines of the technique from 0, in the order of their names. */
+  ofTechnique: number;
   points: LinePoint[];
 }
 
@@ -160,9 +162,12 @@ export function lines(cells: Cells, selection: readonly number[], x: Abscissa, c
     const key = x.id === steps ? settingOf(cells.id[cell]!) : String(value);
     group.at.set(key, [...(group.at.get(key) ?? []), cell]);
   }
+  const names = [...groups.keys()].sort((a, b) => a.localeCompare(b, "en", { numeric: true }));
+  const siblings = (technique: string) => names.filter((name) => groups.get(name)!.technique === technique);
   return [...groups].map(([name, { technique, at }]) => ({
     name,
     technique,
+    ofTechnique: siblings(technique).indexOf(name),
     points: [...at.values()]
       .map((members) => ({
         x: mean(

@@ -37,6 +37,15 @@ testsOfPage(() => {
   ]);
   report("beside", "beside");
   write("again", angles);
+  write("leaves", [
+    measured({ technique: "pom", ms: 1, uv: 0.1 }),
+    ...["exact", "linear"].flatMap((leaf) =>
+      [8, 32].map((max_steps) =>
+        measured({ technique: "qdm", params: { leaf, max_steps }, ms: max_steps / 10, uv: 1, steps: max_steps }),
+      ),
+    ),
+  ]);
+  report("leaves", "leaves");
   report("angles", "beside", "again");
   report("mixed", "mixed");
   report("run", "run");
@@ -87,6 +96,26 @@ test("every axis has two numbers or more, written out, also where all values are
   await page.waitForTimeout(200);
   const last = (await drawnNumbers()).slice(-16);
   for (const numbers of byAxis(last)) assert.ok(numbers.length >= 2, String(numbers));
+});
+
+test("lines of one technique are told apart by dashes and filling, and a legend says which is which", async () => {
+  await page.addInitScript(() => {
+    window.dashes = [];
+    const set = CanvasRenderingContext2D.prototype.setLineDash;
+    CanvasRenderingContext2D.prototype.setLineDash = function (dashes) {
+      window.dashes.push([...dashes]);
+      return set.call(this, dashes);
+    };
+  });
+  await open("leaves", "view=axes&x=steps");
+  await page.waitForSelector(".chart canvas");
+  assert.deepEqual(await texts(".lines li"), ["qdm leaf=exact", "qdm leaf=linear"]);
+  const looks = await page.$$eval(".lines svg.line-mark", (all) => all.map((svg) => svg.innerHTML));
+  assert.equal(new Set(looks).size, 2);
+  const drawn = await page.evaluate(() => window.dashes.map(String));
+  assert.ok(drawn.includes("8,3.2"), `the second is dashed: ${[...new Set(drawn)]}`);
+  await open("leaves", "view=axes&x=steps&techniques=pom");
+  assert.deepEqual(await texts(".lines li"), [], "a technique's only line needs none");
 });
 
 test("a swept axis has its own values below it", async () => {

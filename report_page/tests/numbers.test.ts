@@ -61,7 +61,7 @@ test("what is better the higher it is has a linear axis with a place for infinit
 });
 
 test("numbers at axes are written out, and as powers of ten only where that is shorter", () => {
-  assert.deepEqual([0.03, 1024, 16384, 0.0001, -0.5, 0].map(tickText), [
+  assert.deepEqual([0.03, 1024, 16384, 0.0001, -0.5, 0].map((value) => tickText(value)), [
     "0.03",
     "1024",
     "16384",
@@ -69,7 +69,13 @@ test("numbers at axes are written out, and as powers of ten only where that is s
     "−0.5",
     "0",
   ]);
-  assert.deepEqual([1e-5, 3e-6, 1e7, 2.5e8].map(tickText), ["10⁻⁵", "3·10⁻⁶", "10⁷", "2.5·10⁸"]);
+  const decades = [1e-5, 0.0001, 0.5, 1];
+  assert.deepEqual(
+    decades.map((value) => tickText(value, decades)),
+    ["10⁻⁵", "10⁻⁴", "5·10⁻¹", "10⁰"],
+    "all of an axis have one form",
+  );
+  assert.deepEqual([1e-5, 3e-6, 1e7, 2.5e8].map((value) => tickText(value)), ["10⁻⁵", "3·10⁻⁶", "10⁷", "2.5·10⁸"]);
 });
 
 test("every axis has at least two round numbers, and not too many", () => {
@@ -84,7 +90,7 @@ test("every axis has at least two round numbers, and not too many", () => {
         assert.ok(found.length >= 2 && found.length <= 10, `${min} × ${factor}: ${found}`);
         const nearly = 1e-8 * (factor - 1) * min;
         assert.ok(found.every((tick) => tick >= min - nearly && tick <= min * factor + nearly));
-        assert.equal(new Set(found.map(tickText)).size, found.length, `${min} × ${factor}: ${found.map(tickText)}`);
+        assert.equal(new Set(found.map((tick) => tickText(tick, found))).size, found.length, `${min} × ${factor}: ${found}`);
       }
     }
   }

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { fnv1a, markNumbers, markOf } from "../src/palette.ts";
+import { fnv1a, lineLook, markNumbers, markOf } from "../src/palette.ts";
 import expected from "./marks_of_names.json";
 
 test("the hash is FNV-1a of the bytes of UTF-8", () => {
@@ -9,6 +9,16 @@ test("the hash is FNV-1a of the bytes of UTF-8", () => {
   assert.equal(fnv1a("", 0x811c9dc5), 0x811c9dc5);
   assert.equal(fnv1a("foobar", 0x811c9dc5), 0xbf9cf968);
   assert.equal(fnv1a("é", 0x811c9dc5), fnv1a("é", 0x811c9dc5));
+});
+
+test("25 lines of one technique differ in dashes or filling, the first five in both", () => {
+  const looks = Array.from({ length: 25 }, (_, at) => lineLook(at));
+  assert.equal(new Set(looks.map((look) => JSON.stringify(look))).size, 25);
+  assert.deepEqual(
+    looks.slice(0, 5).map(({ filled }) => filled),
+    ["full", "left", "right", "bottom", "top"],
+  );
+  assert.equal(new Set(looks.slice(0, 5).map(({ dash }) => String(dash))).size, 5);
 });
 
 test("names have the marks that the figures of scripts/plot.py give them", () => {

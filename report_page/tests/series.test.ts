@@ -53,6 +53,11 @@ test("a line over steps runs along the parameter with most values and those that
       ["qdm leaf=exact", 1],
     ],
   );
+  assert.deepEqual(
+    found.map(({ ofTechnique }) => ofTechnique),
+    [0, 1, 0],
+    "counted by name",
+  );
   const [first, second] = found[0]!.points;
   assert.deepEqual([first!.x, first!.cost, first!.error].map(rounded), [4, 2, 6], "means over both angles");
   assert.deepEqual([second!.x, second!.cost, second!.error].map(rounded), [16, 8, 2]);

@@ -31,13 +31,14 @@ import {
   usualErrorOfSameHits,
 } from "../metrics.ts";
 import { counted, extent, significant } from "../numbers.ts";
-import { markOf } from "../palette.ts";
+import { filling, lineElement, lineLook, markOf } from "../palette.ts";
 import { figureScale, linearTicks, logRange, logTicks, tickText } from "../scales.ts";
 import { type Abscissa, abscissas, type Line, type LinePoint, lines, mixesViews, sweptTitle } from "../series.ts";
 import { besideTable } from "./beside_table.ts";
 
 const mostLines = 150;
 const mostLinesWithIntervals = 40;
+const mostNamedLines = 40;
 /** Of an axis, each with its number below the chart. */
 const mostNamedValues = 10;
 
@@ -76,6 +77,7 @@ export function axesView(app: App): View {
   const costChart = new Chart("Cost over the chosen axis", pin);
   const errorChart = new Chart("Error over the chosen axis", pin);
   const charts = h("div", { class: "chart-pair" }, costChart.element, errorChart.element);
+  const legend = h("ul", { class: "lines" });
   const note = h("p", { class: "note" });
   const table = h("div", {});
   const element = h(
@@ -83,6 +85,7 @@ export function axesView(app: App): View {
     { class: "view-axes" },
     h("div", { class: "controls" }, x.element, cost.element, error.element),
     charts,
+    legend,
     note,
     table,
   );
@@ -107,12 +110,14 @@ export function axesView(app: App): View {
       error.select.value = errorMetric.id;
       charts.hidden = swept.abscissa === null;
       fill(note);
+      fill(legend);
       if (swept.abscissa !== null) {
         const found = lines(cells, app.measured(), swept.abscissa, costMetric, errorMetric);
         const drawn = found.slice(0, mostLines);
         const { abscissa } = swept;
         costChart.show(() => lineOption(app, drawn, abscissa, costMetric, (point) => point.cost));
         errorChart.show(() => lineOption(app, drawn, abscissa, errorMetric, (point) => point.error));
+        fill(legend, ...legendItems(app, drawn));
         fill(note, ...notes(app, found, swept.abscissa).map((text) => h("span", {}, text)));
       } else if (beside === null) {
         fill(note, "The filter leaves no two cells that differ in nothing else.");
@@ -121,6 +126,27 @@ export function axesView(app: App): View {
     },
   };
 }
+
+/** Which line is whose, where colour and marker of the technique do not tell. */
+function legendItems(app: App, drawn: readonly Line[]): HTMLElement[] {
+  const several = new Set(drawn.filter((line) => line.ofTechnique > 0).map((line) => line.technique));
+  const named = drawn.filter((line) => several.has(line.technique)).sort(byTechnique);
+  const items = named
+    .slice(0, mostNamedLines)
+    .map((line) =>
+      h(
+        "li",
+        { attrs: { "data-line": line.name } },
+        lineElement(app.mark(line.technique), app.theme, lineLook(line.ofTechnique)),
+        line.name,
+      ),
+    );
+  const rest = named.length - items.length;
+  return rest > 0 ? [...items, h("li", { class: "muted" }, `and ${rest} more: hover over them`)] : items;
+}
+
+const byTechnique = (a: Line, b: Line) =>
+  a.technique === b.technique ? a.ofTechnique - b.ofTechnique : a.technique < b.technique ? -1 : 1;
 
 function notes(app: App, found: Line[], x: Abscissa): string[] {
   const texts: string[] = [];
@@ -207,6 +233,10 @@ function lineSeries(
   of: (point: LinePoint) => number | null,
 ): object {
   const mark = markOf(app.mark(line.technique), app.theme);
+  const look = lineLook(line.ofTechnique);
+  const width = 1.6;
+  const color = filling(mark.colour, look.filled, ink.panel);
+  const border = look.filled === "full" ? ink.panel : mark.colour;
   const pinned = app.pinned();
   return {
     type: "line",
@@ -218,14 +248,19 @@ function lineSeries(
         line,
         point,
         ...(point.cells.includes(pinned)
-          ? { symbolSize: ink.size * 1.3, itemStyle: { borderColor: ink.accent, borderWidth: 2.5 } }
+          ? { symbolSize: ink.size * 1.3, itemStyle: { color, borderColor: ink.accent, borderWidth: 2.5 } }
           : {}),
       })),
     symbol: mark.symbol,
     symbolSize: ink.size * 0.72,
     showAllSymbol: true,
-    lineStyle: { color: mark.colour, width: 1.6, opacity: 0.75 },
-    itemStyle: { color: mark.colour, borderColor: ink.panel, borderWidth: 1 },
+    lineStyle: {
+      color: mark.colour,
+      width,
+      opacity: 0.75,
+      type: look.dash.length > 0 ? look.dash.map((length) => length * width) : "solid",
+    },
+    itemStyle: { color, borderColor: border, borderWidth: 1 },
     emphasis: { focus: "series", lineStyle: { width: 2.6 } },
     triggerLineEvent: false,
   };
