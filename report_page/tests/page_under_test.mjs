@@ -85,3 +85,14 @@ export async function findMark(colour) {
   assert.notEqual(at, null, "no mark of this colour in the chart");
   return at;
 }
+
+/** Which of the elements are whole within the frame of the table. */
+export async function inSight(selectors) {
+  return page.evaluate((wanted) => {
+    const frame = document.querySelector(".table-scroll").getBoundingClientRect();
+    return wanted.filter((selector) => {
+      const box = document.querySelector(selector).getBoundingClientRect();
+      return box.left >= frame.left && box.right <= frame.right + 0.5 && box.width > 0;
+    });
+  }, selectors);
+}

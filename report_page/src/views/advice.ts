@@ -28,6 +28,16 @@ import {
   usualQuality,
 } from "../metrics.ts";
 import { counted, extent, median, significant } from "../numbers.ts";
+import {
+  comparedWords,
+  costWords,
+  errorWords,
+  inSentence,
+  labelled,
+  lessText,
+  timesText,
+  toleranceWords,
+} from "./advice_words.ts";
 import { LimitFields } from "./limits.ts";
 
 const mostGroups = 24;
@@ -176,12 +186,6 @@ function cautionWords(app: App, error: Metric, known: readonly Metric[]): string
   return words;
 }
 
-/** Abbreviations keep their capitals. */
-const inSentence = (label: string) =>
-  /^[A-Z][a-z]/.test(label) ? label.slice(0, 1).toLowerCase() + label.slice(1) : label;
-
-const labelled = (metric: Metric, value: number) => `${inSentence(metric.label)} ${metricText(metric, value)}`;
-
 function limitWords({ metric, bound }: Limit): string {
   return `${inSentence(metric.label)} at ${metric.better === "lower" ? "most" : "least"} ${metricText(metric, bound)}`;
 }
@@ -299,17 +303,6 @@ function reasonElement(app: App, advice: Advice, winner: Candidate, question: Qu
   );
 }
 
-/** "that takes more than 0.002 and 2 %" */
-function toleranceWords(error: Metric): string {
-  const { absolute, relative } = error.tolerance;
-  const shortest = (value: number) => String(Number(value.toPrecision(3)));
-  const parts = [
-    ...(absolute > 0 ? [`${shortest(absolute)}${error.unit === "" ? "" : ` ${error.unit}`}`] : []),
-    ...(relative > 0 ? [`${shortest(100 * relative)} %`] : []),
-  ];
-  return `that takes more than ${parts.join(" and ")}`;
-}
-
 /** A time is worth what it is of: a full screen of relief, or a distant wall. */
 function shareElement(app: App, point: Candidate, { cost }: Question): HTMLElement {
   const { cells } = app.run();
@@ -374,38 +367,4 @@ function boughtWords(point: Candidate, winner: Candidate | null, { cost, error }
   if (winner === null) return `${price} buys ${bought}`;
   const less = error.better === "lower" ? lessText(point.error, winner.error) : "";
   return `${price}${timesText(point.cost, winner.cost, "cost")} buys ${bought}${less}`;
-}
-
-function lessText(value: number, before: number): string {
-  if (value <= 0) return "";
-  const factor = before / value;
-  return factor < 1.5 ? ` (${Math.round(100 * (1 - 1 / factor))} % less)` : ` (${significant(factor, 2)} times less)`;
-}
-
-/** "99 % of its pixels lie within 0.031 texels" */
-function errorWords(error: Metric, value: number): string {
-  const percentile = /\.p(\d+)$/.exec(error.id);
-  if (percentile && error.better === "lower") {
-    const bound = value === 0 ? "have no error" : `are within ${metricText(error, value)}`;
-    return `${percentile[1]} % of its pixels ${bound}`;
-  }
-  return labelled(error, value);
-}
-
-function costWords(cost: Metric, value: number): string {
-  if (cost.id === "time.draw.median_ms") return `in ${metricText(cost, value)}`;
-  return `at ${metricText(cost, value)}${cost.unit === "" ? ` ${cost.label.toLowerCase()}` : ""}`;
-}
-
-/** " (2.7 times the error)" */
-function timesText(value: number, from: number, what: string): string {
-  if (value <= 0 || from <= 0 || !Number.isFinite(value)) return "";
-  const times = value / from;
-  if (times > 1 / 1.05 && times < 1.05) return ` (nearly the same ${what})`;
-  return ` (${significant(times, 2)} times the ${what})`;
-}
-
-function comparedWords(winner: Candidate, other: Candidate, { cost, error }: Question): string {
-  const errorRatio = error.better === "lower" ? timesText(other.error, winner.error, "error") : "";
-  return `${errorWords(error, other.error)}${errorRatio}, ${costWords(cost, other.cost)}${timesText(other.cost, winner.cost, "cost")}`;
 }
