@@ -256,10 +256,13 @@ public:
         if (is_new) buckets_.push_back({view, {}, {}});
         Bucket& bucket = buckets_[found->second];
         if (bucket.view != view) {
+            const HeightMapSource& one = bucket.view.height_map;
+            const bool of_albedos = one.name == view.height_map.name;
             fail(
-                "{}: {}.axes.heightmap: '{}' and '{}' would both be called '{}' in results, which tell files by base "
+                "{}: {}.axes.{}: '{}' and '{}' would both be called '{}' in results, which tell files by base "
                 "name; rename one",
-                origin_.file, origin_.path, bucket.view.height_map.name, view.height_map.name, id);
+                origin_.file, origin_.path, of_albedos ? "albedo" : "heightmap", of_albedos ? one.albedo : one.name,
+                of_albedos ? view.height_map.albedo : view.height_map.name, id);
         }
         for (const Assignment& assignment : assignments) {
             if (!is_new && bucket.assignments.contains(assignment.id)) continue;
