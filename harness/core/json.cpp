@@ -89,12 +89,14 @@ std::string member_path(const std::string& path, const std::string& key) {
     const bool plain = !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char character) {
         return std::isalnum(character) != 0 || character == '_' || character == '-';
     });
+    if (path.empty() && plain) return key;
     return plain ? path + "." + key : path + "[" + shown(Json(key)) + "]";
 }
 
 }  // namespace
 
 Json parse_json(std::string_view text, const std::string& file) {
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) fail("{}: it is empty; expected JSON", file);
     const char* position = text.data();
     std::vector<std::set<std::string>> keys_of_open_objects;
     const auto here = [&](std::size_t back = 0) {
@@ -222,11 +224,11 @@ std::size_t JsonView::choice(const std::vector<std::string>& choices) const {
 }
 
 void JsonView::fail_expected(std::string_view expected) const {
-    fail("{}: {}: expected {}, found {}", file_, path_, expected, shown(*value_));
+    fail_here(fmt::format("expected {}, found {}", expected, shown(*value_)));
 }
 
 void JsonView::fail_here(std::string_view message) const {
-    fail("{}: {}: {}", file_, path_, message);
+    fail("{}: {}{}{}", file_, path_, path_.empty() ? "" : ": ", message);
 }
 
 }  // namespace reliefbench

@@ -18,8 +18,8 @@ using Json = nlohmann::ordered_json;
 /// A JSON file that is larger is not read.
 inline constexpr std::uint64_t largest_json_file = std::uint64_t{256} << 20;
 
-/// Parses JSON; a syntax error, a duplicate key, or nesting or an object that is absurdly large is an Error that names
-/// `file` and the position.
+/// Parses JSON; nothing but white space, a syntax error, a duplicate key, or nesting or an object that is absurdly
+/// large is an Error that names `file` and the position.
 Json parse_json(std::string_view text, const std::string& file);
 Json read_json_file(const std::filesystem::path& path);
 
@@ -30,6 +30,7 @@ Json finite_or_null(const std::optional<double>& value);
 /// Reading is strict: a wrong type or a value out of range is an Error. Refers to the value; does not own it.
 class JsonView {
 public:
+    /// With an empty path, of what is no file, members are called by their names alone: "lights[0].direction".
     JsonView(const Json& value, std::string file, std::string path = "$");
 
     const Json& json() const { return *value_; }

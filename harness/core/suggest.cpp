@@ -38,17 +38,22 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
 
 }  // namespace
 
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
-    const std::string* nearest = nullptr;
+std::optional<std::size_t> nearest(std::string_view word, const std::vector<std::string>& candidates) {
+    std::optional<std::size_t> found;
     std::size_t nearest_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
-    for (const std::string& candidate : candidates) {
-        const std::size_t distance = edit_distance(word, candidate);
+    for (std::size_t index = 0; index < candidates.size(); ++index) {
+        const std::size_t distance = edit_distance(word, candidates[index]);
         if (distance < nearest_distance) {
             nearest_distance = distance;
-            nearest = &candidate;
+            found = index;
         }
     }
-    return nearest == nullptr ? "" : fmt::format(" (did you mean '{}'?)", *nearest);
+    return found;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
+    const std::optional<std::size_t> found = nearest(word, candidates);
+    return found ? fmt::format(" (did you mean '{}'?)", candidates[*found]) : "";
 }
 
 std::string join(const std::vector<std::string>& words, std::string_view separator) {

@@ -20,7 +20,8 @@ TEST(Json, MembersKeepTheOrderOfTheFile) {
 TEST(Json, SyntaxErrorsNameFileLineAndColumn) {
     EXPECT_THAT(message_of_parsing("{\n  \"a\": 1,\n  \"b\" 2\n}"), testing::StartsWith("file.json:3:7: syntax error"));
     EXPECT_THAT(message_of_parsing("{\"a\": tru}"), testing::StartsWith("file.json:1:10: "));
-    EXPECT_THAT(message_of_parsing(""), testing::StartsWith("file.json:1:1: "));
+    EXPECT_EQ(message_of_parsing(""), "file.json: it is empty; expected JSON");
+    EXPECT_EQ(message_of_parsing(" \n"), "file.json: it is empty; expected JSON");
     EXPECT_THAT(message_of_parsing("{\"a\":\n[1, 2"), testing::StartsWith("file.json:2:6: "));
     EXPECT_THAT(message_of_parsing("{} x"), testing::StartsWith("file.json:1:4: "));
 }
