@@ -8,7 +8,9 @@
 #include "manifest/parameter_json.hpp"
 #include "sweep/configuration.hpp"
 #include "sweep/override.hpp"
+#include "sweep/override_effects.hpp"
 #include "sweep/settings.hpp"
+#include "sweep/view_axes.hpp"
 
 #include <fmt/format.h>
 
@@ -68,6 +70,8 @@ Json selections(const std::vector<const Manifest*>& manifests, const std::vector
         if (taken) continue;
         std::sort(known.begin(), known.end());
         known.erase(std::unique(known.begin(), known.end()), known.end());
+        if (find_view_axis(name))
+            fail("--set {0}: {1} is an axis of the view, not a parameter; use -a {0}", argument, name);
         fail("--set {}: {} parameter '{}'{}; there are: {}", argument,
              manifests.size() == 1 ? fmt::format("the technique '{}' has no", manifests.front()->id)
                                    : "none of the techniques has a",
@@ -97,15 +101,17 @@ std::vector<const Manifest*> chosen_techniques(const RenderOptions& options, con
 }
 
 /// The axes asked for, that of an animation included.
-std::vector<std::string> overrides_of(const RenderOptions& options) {
-    std::vector<std::string> overrides = options.axes;
+std::vector<Override> overrides_of(const RenderOptions& options) {
+    std::vector<Override> overrides;
+    for (const std::string& argument : options.axes)
+        overrides.push_back(parse_override(argument));
     if (options.animation.empty()) return overrides;
     if (is_standard_output(options.output)) {
         fail("--animate {}: an animation is many files, but '-' is standard output; give a file name such as turn.png",
              options.animation);
     }
     if (options.contact_sheet) fail("--animate and --contact-sheet exclude each other: make one sheet per call");
-    const Override animated = parse_override(options.animation);
+    const Override animated = parse_override(options.animation, "--animate");
     if (animated.name == "resolution") {
         fail("--animate {}: frames of one animation have one resolution; animate another axis", options.animation);
     }
@@ -113,12 +119,12 @@ std::vector<std::string> overrides_of(const RenderOptions& options) {
         fail("--animate {}: an animation takes at least two values, for example view_angle=[0:80:2]",
              options.animation);
     }
-    for (const std::string& argument : options.axes) {
-        if (parse_override(argument).name == animated.name) {
-            fail("-a {}: --animate gives the values of '{}' already", argument, animated.name);
+    for (const Override& given : overrides) {
+        if (given.name == animated.name) {
+            fail("{}: --animate gives the values of '{}' already", given.argument, animated.name);
         }
     }
-    overrides.push_back(options.animation);
+    overrides.push_back(animated);
     return overrides;
 }
 
@@ -139,13 +145,13 @@ void check_single_values(const RenderOptions& options) {
 Lighting lighting_of(const RenderOptions& options) {
     if (options.lighting.empty()) return {};
     const Json json = parse_json(options.lighting, "--lighting");
-    return read_lighting(JsonView(json, "--lighting"));
+    return read_lighting(JsonView(json, "--lighting", ""));
 }
 
 std::optional<SceneObject> object_of(const RenderOptions& options) {
     if (options.object.empty()) return std::nullopt;
     const Json json = parse_json(options.object, "--object");
-    return read_object(JsonView(json, "--object"));
+    return read_object(JsonView(json, "--object", ""));
 }
 
 std::vector<Shown> shown_by(const RenderOptions& options) {
@@ -202,8 +208,9 @@ std::vector<Cell> cells_to_render(const RenderOptions& options, const TechniqueL
     configuration["axes"] = {
         {"heightmap", "bricks"}, {"resolution", options.contact_sheet ? "192x192" : "512x512"}, {"view_angle", 45}};
     const std::vector<Manifest> manifests = library.manifests();
-    std::vector<Cell> cells =
-        expand(parse_configuration(configuration, "render", overrides_of(options), manifests), manifests);
+    const Configuration parsed = configuration_with(configuration, "render", overrides_of(options), manifests);
+    std::vector<Cell> cells = expand(parsed, manifests);
+    warn_of_overrides(parsed, cells, manifests);
     if (!options.contact_sheet) {
         for (const Cell& cell : cells) {
             if (!cell.skip_reason.empty()) fail("{}: {}", cell.id, cell.skip_reason);

@@ -2,6 +2,7 @@
 
 #include "core/json.hpp"
 #include "core/log.hpp"
+#include "sweep/override_effects.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -90,6 +91,7 @@ RunSources read_run_sources(const ConfigurationText& text, const CellChoice& cho
     const std::vector<Manifest> manifests = sources.library.manifests();
     sources.configuration = parse_configuration(file, text.file, choice.axes, manifests);
     sources.cells = filter_cells(expand(sources.configuration, manifests), sources.filters, manifests);
+    warn_of_overrides(sources.configuration, sources.cells, manifests);
     return sources;
 }
 

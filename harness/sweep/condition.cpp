@@ -16,6 +16,9 @@ namespace reliefbench {
 
 namespace {
 
+/// Of a quantity, told in a message.
+constexpr std::size_t most_alternatives = 12;
+
 std::vector<std::string> ids(const ManifestIndex& manifests) {
     std::vector<std::string> found;
     for (const auto& [id, manifest] : manifests)
@@ -109,6 +112,34 @@ Json cell_quantity(const Cell& cell, const std::string& name, const ManifestInde
     }
     const auto value = cell.parameters.find(parameter);
     return value == cell.parameters.end() ? Json() : to_json(value->second);
+}
+
+std::vector<Json> distinct_quantities(const std::vector<Cell>& cells, const std::string& name,
+                                      const ManifestIndex& manifests) {
+    std::vector<Json> values;
+    std::set<Json> seen;
+    for (const Cell& cell : cells) {
+        Json value = cell_quantity(cell, name, manifests);
+        if (!value.is_null() && seen.insert(value).second) values.push_back(std::move(value));
+    }
+    if (std::ranges::all_of(values, [](const Json& value) { return value.is_number(); })) std::ranges::sort(values);
+    return values;
+}
+
+std::string alternatives(const std::vector<Json>& values) {
+    std::vector<std::string> words;
+    for (std::size_t index = 0; index < std::min(values.size(), most_alternatives); ++index)
+        words.push_back(scalar_text(values[index]));
+    if (words.size() < values.size()) return join(words) + ", ...";
+    if (words.size() < 2) return join(words);
+    const std::string last = words.back();
+    words.pop_back();
+    return join(words) + " or " + last;
+}
+
+std::string value_as_argument(const Json& value) {
+    const std::string text = scalar_text(value);
+    return value.is_string() && text.find_first_of(",[]{}\"") != std::string::npos ? value.dump() : text;
 }
 
 Json read_quantity_value(const JsonView& view, const std::string& name, const ManifestIndex& manifests) {

@@ -29,6 +29,16 @@ std::vector<std::string> quantity_names(const ManifestIndex& manifests);
 /// Null where the cell has no such quantity.
 Json cell_quantity(const Cell& cell, const std::string& name, const ManifestIndex& manifests);
 
+/// The values that cells have of a quantity, numbers in their order and others as they come; none that is null.
+std::vector<Json> distinct_quantities(const std::vector<Cell>& cells, const std::string& name,
+                                      const ManifestIndex& manifests);
+
+/// "0, 45 or 60"; the first ones where there are many.
+std::string alternatives(const std::vector<Json>& values);
+
+/// A scalar as "-a" and "--filter" take it: a word, or JSON where a word would be read otherwise.
+std::string value_as_argument(const Json& value);
+
 /// A value to compare that quantity with, in the form that cell_quantity has. A value that no cell can have is an
 /// Error.
 Json read_quantity_value(const JsonView& view, const std::string& name, const ManifestIndex& manifests);

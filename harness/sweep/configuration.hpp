@@ -5,6 +5,7 @@
 #include "scene/lighting.hpp"
 #include "scene/scene_object.hpp"
 #include "sweep/cell.hpp"
+#include "sweep/override.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -94,6 +95,15 @@ struct Axis {
     Origin origin = {};
 };
 
+/// A zip that lost axes to "-a" arguments.
+struct LoosenedZip {
+    /// Axes that were given values of their own, and the arguments that gave them.
+    std::vector<std::string> taken;
+    std::vector<std::string> arguments;
+    /// Those that are left, tied to each other alone.
+    std::vector<std::string> kept;
+};
+
 /// A configuration as read: configs/schema.json is its schema, docs/architecture.md its description.
 struct Configuration {
     std::string name;
@@ -117,6 +127,10 @@ struct Configuration {
     /// are absolute.
     Json expanded;
     Origin origin;
+    /// What warn_of_overrides judges (sweep/override_effects.hpp): axes that "-a" arguments set, and zips that lost
+    /// some.
+    std::vector<std::string> overridden;
+    std::vector<LoosenedZip> loosened_zips;
 };
 
 /// What a configuration that comes by standard input is called in place of its file.
@@ -124,13 +138,17 @@ inline constexpr std::string_view standard_input = "standard input";
 
 /// The configuration that `json`, the content of `file`, is. One without a name is called as its file is; what comes by
 /// standard input or a pipe of the shell (/dev/stdin, /dev/fd/63) is "configuration" and has no folder of its own.
-/// `overrides` are "-a" arguments (sweep/override.hpp). They replace an axis, and take it out of its zip, which is
-/// told; a parameter wherever it is set; `sample_count` also the sample counts set by name; `albedo` also those of
-/// height maps given as objects; and `technique=a,b` the selection, in which those selected before keep their
-/// parameters. Relative paths of height maps are taken from the configuration file's folder when they exist there, else
-/// from the working directory; those of overrides from the working directory. run.json of an earlier run is taken too.
+/// `overrides` are "-a" arguments (sweep/override.hpp). They replace an axis, and take it out of its zip
+/// (warn_of_overrides tells of it); a parameter wherever it is set; `sample_count` also the sample counts set by name;
+/// `albedo` also those of height maps given as objects; and `technique=a,b` the selection, in which those selected
+/// before keep their parameters. Relative paths of height maps are taken from the configuration file's folder when they
+/// exist there, else from the working directory; those of overrides from the working directory. run.json of an earlier
+/// run is taken too.
 Configuration parse_configuration(const Json& json, const std::string& file, const std::vector<std::string>& overrides,
                                   const std::vector<Manifest>& techniques);
+/// The same with overrides that other options gave.
+Configuration configuration_with(const Json& json, const std::string& file, const std::vector<Override>& overrides,
+                                 const std::vector<Manifest>& techniques);
 
 /// Both also in what is written to run.json.
 void set_preparation_limit(Configuration& configuration, double limit_s);
@@ -147,7 +165,8 @@ void set_sampling(Configuration& configuration, const std::vector<std::string>& 
 std::vector<Cell> expand(const Configuration& configuration, const std::vector<Manifest>& techniques);
 
 /// "--filter" expressions: "technique=pom,qdm", "view_angle=60", "max_steps>=16"; values as "-a" takes them
-/// (sweep/override.hpp); all must hold.
+/// (sweep/override.hpp); all must hold. Where no cell is left, the Error
+/// says which values there are.
 std::vector<Cell> filter_cells(std::vector<Cell> cells, const std::vector<std::string>& filters,
                                const std::vector<Manifest>& techniques);
 

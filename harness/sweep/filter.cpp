@@ -5,7 +5,7 @@
 #include "sweep/override.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <span>
 
 namespace reliefbench {
 
@@ -16,6 +16,8 @@ struct Filter {
     std::string name;
     Comparison comparison = Comparison::equal;
     std::vector<Json> values;
+    /// As written: "--filter view_angle>=60".
+    std::string argument;
 };
 
 struct Operator {
@@ -47,6 +49,7 @@ Filter parse_filter(const std::string& text, const ManifestIndex& manifests) {
         fail("{}: expected name=value,value or one of != < <= > >= instead of =", argument);
     }
     Filter filter;
+    filter.argument = argument;
     filter.name = text.substr(0, begin);
     filter.comparison = found->comparison;
     const Json nothing;
@@ -82,6 +85,53 @@ bool passes(const Filter& filter, const Json& quantity) {
     }
 }
 
+/// What there is where a filter lets nothing pass, and how to get what it asks for.
+std::string what_there_is(const Filter& filter, const std::vector<Cell>& cells, const ManifestIndex& manifests) {
+    const std::vector<Json> there = distinct_quantities(cells, filter.name, manifests);
+    const bool asks_for_one = filter.comparison == Filter::Comparison::equal && filter.values.size() == 1;
+    std::string text = there.empty() ? fmt::format("no cell there has a '{}'", filter.name)
+                                     : fmt::format("{} is {} there", filter.name, alternatives(there));
+    if (!asks_for_one || there.empty()) return text;
+    const Json& asked = filter.values.front();
+    std::vector<std::string> words;
+    for (const Json& value : there) {
+        if (value.is_string()) words.push_back(value.get<std::string>());
+    }
+    // A technique that is asked for is one that there is.
+    const std::string suggestion =
+        asked.is_string() && filter.name != "technique" ? did_you_mean(asked.get<std::string>(), words) : "";
+    if (!suggestion.empty()) return text + suggestion;
+    return text + fmt::format("; to measure it, use -a {}={}", filter.name, value_as_argument(asked));
+}
+
+std::string as_arguments(std::span<const Filter> filters) {
+    std::vector<std::string> arguments;
+    for (const Filter& filter : filters)
+        arguments.push_back(filter.argument);
+    return join(arguments, " ");
+}
+
+/// Of filters that let no cell pass together: the first that does so alone, else the first that does so after those
+/// before it.
+[[noreturn]] void fail_without_cells(const std::vector<Filter>& filters, std::vector<Cell> cells,
+                                     const ManifestIndex& manifests) {
+    const auto keeps_none = [&](const Filter& filter) {
+        return std::ranges::none_of(
+            cells, [&](const Cell& cell) { return passes(filter, cell_quantity(cell, filter.name, manifests)); });
+    };
+    const auto alone = std::ranges::find_if(filters, keeps_none);
+    if (alone != filters.end()) {
+        fail("{}: no cell of the configuration passes: {}", alone->argument, what_there_is(*alone, cells, manifests));
+    }
+    auto last = filters.begin();
+    for (; !keeps_none(*last); ++last) {
+        std::erase_if(cells,
+                      [&](const Cell& cell) { return !passes(*last, cell_quantity(cell, last->name, manifests)); });
+    }
+    fail("{}: no cell of those that pass {} passes: {}", last->argument, as_arguments({filters.begin(), last}),
+         what_there_is(*last, cells, manifests));
+}
+
 }  // namespace
 
 std::vector<Cell> filter_cells(std::vector<Cell> cells, const std::vector<std::string>& filters,
@@ -90,14 +140,14 @@ std::vector<Cell> filter_cells(std::vector<Cell> cells, const std::vector<std::s
     std::vector<Filter> parsed;
     for (const std::string& text : filters)
         parsed.push_back(parse_filter(text, manifests));
-    std::erase_if(cells, [&](const Cell& cell) {
-        return !std::ranges::all_of(
+    const auto passes_all = [&](const Cell& cell) {
+        return std::ranges::all_of(
             parsed, [&](const Filter& filter) { return passes(filter, cell_quantity(cell, filter.name, manifests)); });
-    });
-    if (cells.empty() && !filters.empty()) {
-        fail("--filter {}: no cell of the configuration passes; --dry-run without it lists what there is",
-             join(filters, " --filter "));
+    };
+    if (!parsed.empty() && std::ranges::none_of(cells, passes_all)) {
+        fail_without_cells(parsed, std::move(cells), manifests);
     }
+    std::erase_if(cells, [&](const Cell& cell) { return !passes_all(cell); });
     return cells;
 }
 

@@ -138,10 +138,16 @@ HeightMapValue read_height_map_object(const JsonView& view) {
 /// An absolute path, so that the value means the same file wherever the configuration is read again.
 std::string resolve(const JsonView& view, const std::vector<std::filesystem::path>& folders, bool procedural_too) {
     const std::string name = view.string();
+    bool is_folder = false;
     for (const std::filesystem::path& folder : folders) {
         const std::filesystem::path candidate = std::filesystem::absolute(folder / name).lexically_normal();
-        if (std::filesystem::is_regular_file(candidate)) return candidate.string();
+        std::error_code ignored;
+        if (std::filesystem::is_regular_file(candidate, ignored)) return candidate.string();
+        is_folder = is_folder || std::filesystem::is_directory(candidate, ignored);
     }
+    if (is_folder) view.fail_here(fmt::format("'{}' is a folder; name a file in it", name));
+    // Wherever it is looked for.
+    if (std::filesystem::path(name).is_absolute()) view.fail_here(fmt::format("there is no file '{}'", name));
     std::vector<std::string> tried;
     for (const std::filesystem::path& folder : folders) {
         const std::string absolute = std::filesystem::weakly_canonical(folder).string();

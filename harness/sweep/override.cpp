@@ -154,12 +154,12 @@ std::vector<Json> parse_values(const std::string& name, const std::string& text,
     return std::move(parsed.values);
 }
 
-Override parse_override(const std::string& argument) {
+Override parse_override(const std::string& argument, const std::string& option) {
     const std::size_t equals = argument.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == argument.size()) {
-        fail("-a {}: expected name=value,value or name=[start:stop:step]", argument);
+        fail("{} {}: expected name=value,value or name=[start:stop:step]", option, argument);
     }
-    Override parsed{argument.substr(0, equals), {}, "-a " + argument};
+    Override parsed{argument.substr(0, equals), {}, option + " " + argument};
     append_values(argument.substr(equals + 1), parsed);
     return parsed;
 }

@@ -15,8 +15,9 @@ struct Override {
     std::string argument;
 };
 
-/// "name=<values>", values as parse_values takes them. An argument that is none is an Error.
-Override parse_override(const std::string& argument);
+/// "name=<values>", values as parse_values takes them, given to an option, which messages name. An argument that is
+/// none is an Error.
+Override parse_override(const std::string& argument, const std::string& option = "-a");
 
 /// The values that the command line gives for `name`, separated by commas. Each is
 /// - a word: a number, true or false where it reads as one, else a string (always, of a technique or a height map);

@@ -140,14 +140,17 @@ void override_techniques(const Override& given, Configuration& configuration, co
     configuration.techniques = std::move(selected);
 }
 
-/// The values hold for all that the axis was tied to; a zip of one axis ties nothing.
-void untie(const Override& given, Configuration& configuration) {
+/// The values hold for all that the axes were tied to; a zip of one axis ties nothing.
+void untie(const std::vector<Override>& overrides, Configuration& configuration) {
     for (std::vector<std::string>& names : configuration.zip) {
-        if (std::erase(names, given.name) == 0) continue;
-        log_warning(
-            "{}: the configuration ties {} to {} (\"zip\"); with these values it is tied no more: each of them "
-            "is combined with every {}",
-            given.argument, given.name, join(names, " and "), join(names, " and "));
+        LoosenedZip loosened;
+        for (const Override& given : overrides) {
+            if (std::erase(names, given.name) == 0) continue;
+            loosened.taken.push_back(given.name);
+            loosened.arguments.push_back(given.argument);
+        }
+        loosened.kept = names;
+        if (!loosened.taken.empty()) configuration.loosened_zips.push_back(std::move(loosened));
     }
     std::erase_if(configuration.zip, [](const std::vector<std::string>& names) { return names.size() < 2; });
 }
@@ -175,7 +178,7 @@ void override_axis(const Override& given, Configuration& configuration, const Ma
         axis.values.push_back(resolve_axis_value(given.name, JsonView(value, given.argument, given.name), {"."}));
     }
     if (given.name == "albedo") drop_own_albedos(configuration);
-    untie(given, configuration);
+    configuration.overridden.push_back(given.name);
     const auto earlier = std::ranges::find(configuration.axes, given.name, &Axis::name);
     if (earlier == configuration.axes.end()) {
         configuration.axes.push_back(std::move(axis));
@@ -184,15 +187,13 @@ void override_axis(const Override& given, Configuration& configuration, const Ma
     }
 }
 
-void apply_overrides(const std::vector<std::string>& overrides, Configuration& configuration,
+void apply_overrides(const std::vector<Override>& parsed, Configuration& configuration,
                      const ManifestIndex& manifests) {
-    std::vector<Override> parsed;
-    for (const std::string& argument : overrides) {
-        parsed.push_back(parse_override(argument));
-        const auto earlier = std::ranges::find(parsed, parsed.back().name, &Override::name);
-        if (earlier != parsed.end() - 1) {
-            fail("{}: '{}' is given twice, first as {}; give all its values at once", parsed.back().argument,
-                 parsed.back().name, earlier->argument);
+    for (auto given = parsed.begin(); given != parsed.end(); ++given) {
+        const auto earlier = std::ranges::find(parsed, given->name, &Override::name);
+        if (earlier != given) {
+            fail("{}: '{}' is given twice, first as {}; give all its values at once", given->argument, given->name,
+                 earlier->argument);
         }
     }
     // The selection first: it says whose parameters the others replace.
@@ -202,6 +203,7 @@ void apply_overrides(const std::vector<std::string>& overrides, Configuration& c
     for (const Override& given : parsed) {
         if (given.name != "technique") override_axis(given, configuration, manifests);
     }
+    untie(parsed, configuration);
 }
 
 Json selection_json(const TechniqueSelection& selection) {
@@ -270,6 +272,14 @@ const std::vector<std::string>& technique() {
 
 Configuration parse_configuration(const Json& json, const std::string& file, const std::vector<std::string>& overrides,
                                   const std::vector<Manifest>& techniques) {
+    std::vector<Override> parsed;
+    for (const std::string& argument : overrides)
+        parsed.push_back(parse_override(argument));
+    return configuration_with(json, file, parsed, techniques);
+}
+
+Configuration configuration_with(const Json& json, const std::string& file, const std::vector<Override>& overrides,
+                                 const std::vector<Manifest>& techniques) {
     const ManifestIndex manifests = index_manifests(techniques);
     const JsonView whole(json, file);
     const bool is_run = json.is_object() && json.contains("configuration") && json.at("configuration").is_object();
@@ -295,7 +305,7 @@ void set_sampling(Configuration& configuration, const std::vector<std::string>& 
             }
             sampling[part.substr(0, equals)] = scalar_from_text(part.substr(equals + 1));
         }
-        configuration.sampling = read_sampling(JsonView(sampling, argument));
+        configuration.sampling = read_sampling(JsonView(sampling, argument, ""));
     }
     if (!settings.empty()) configuration.expanded["sampling"] = to_json(configuration.sampling);
 }

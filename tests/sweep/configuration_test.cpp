@@ -1,4 +1,5 @@
 #include "sweep/configuration.hpp"
+#include "sweep/override_effects.hpp"
 
 #include "core/file.hpp"
 #include "fake_techniques.hpp"
@@ -295,18 +296,72 @@ TEST(Overrides, OfATiedAxisHoldForAllThatItWasTiedTo) {
                 ElementsAre("plain | heightmap=rock view_angle=5", "plain | heightmap=rock view_angle=5 tiling=2"));
 }
 
-TEST(Overrides, ThatTakeAnAxisOutOfItsZipSaySo) {
-    const std::string text = with(
+/// What is told of overrides once filters are applied.
+std::string warnings_of(const std::string& text, const std::vector<std::string>& overrides,
+                        const std::vector<std::string>& filters = {}) {
+    const Configuration configuration = parse(text, overrides);
+    const std::vector<Cell> cells = filter_cells(expand(configuration, fake_techniques()), filters, fake_techniques());
+    testing::internal::CaptureStderr();
+    warn_of_overrides(configuration, cells, fake_techniques());
+    return testing::internal::GetCapturedStderr();
+}
+
+const std::string tied_views = with(
+    R"("axes": {"heightmap": ["rock", "bricks", "rock"], "projection": ["parallel", "parallel", "perspective"],
+    "view_angle": [0, 45, 60], "azimuth": [-67, -45, -67]},
+    "zip": [["heightmap", "projection", "view_angle", "azimuth"]])",
+    R"(["plain"])");
+
+TEST(Overrides, ThatTakeAxesOutOfTheirZipAreToldOnceWithWhatToDo) {
+    EXPECT_EQ(warnings_of(tied_views, {"heightmap=spikes", "view_angle=70", "resolution=128x72"}),
+              "warning: -a heightmap=spikes -a view_angle=70: the configuration ties heightmap and "
+              "view_angle to projection and azimuth (\"zip\"); with values of their own they are tied no more, and "
+              "combined with each of the 3 combinations of projection and azimuth; give -a projection=... "
+              "-a azimuth=... too, or --filter projection=perspective\n");
+    EXPECT_THAT(warnings_of(tied_views, {"heightmap=spikes", "view_angle=70", "projection=parallel"}),
+                HasSubstr("combined with each of the 2 values of azimuth; give -a azimuth=... too, or --filter "
+                          "azimuth=-67"))
+        << "one axis is left";
+    const std::string pair = with(
         R"("axes": {"heightmap": "rock", "view_angle": [0, 60], "tiling": [1, 2]}, "zip": [["view_angle", "tiling"]])",
         R"(["plain"])");
-    testing::internal::CaptureStderr();
-    parse(text, {"view_angle=30"});
-    EXPECT_THAT(testing::internal::GetCapturedStderr(),
+    EXPECT_THAT(warnings_of(pair, {"view_angle=30"}),
                 AllOf(HasSubstr("-a view_angle=30: the configuration ties view_angle to tiling (\"zip\")"),
-                      HasSubstr("tied no more")));
+                      HasSubstr("it is tied no more")));
+    EXPECT_EQ(warnings_of(pair, {"heightmap=bricks"}), "");
+}
+
+TEST(Overrides, OfAZipThatLeaveOneValueOfTheOthersAreWhatWasAskedFor) {
+    EXPECT_EQ(warnings_of(tied_views, {"heightmap=spikes", "view_angle=0,70", "projection=parallel", "azimuth=3"}), "");
+    EXPECT_EQ(warnings_of(tied_views, {"heightmap=spikes", "view_angle=70"}, {"projection=perspective"}), "");
+    const std::string same = with(
+        R"("axes": {"heightmap": "rock", "view_angle": [0, 60], "tiling": [2, 2]}, "zip": [["view_angle", "tiling"]])",
+        R"(["plain"])");
+    EXPECT_EQ(warnings_of(same, {"view_angle=30"}), "");
+}
+
+TEST(Overrides, OfAZipAreNotToldBeforeAnErrorOfAValue) {
     testing::internal::CaptureStderr();
-    parse(text, {"heightmap=bricks"});
+    EXPECT_THROW(parse(tied_views, {"heightmap=spikes", "view_angle=95"}), Error);
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Overrides, ThatChangeNoCellThatIsLeftSaySo) {
+    const std::string text =
+        with(R"("axes": {"heightmap": "rock", "sample_count": [8, 16]})", R"(["plain", "march", "mesh"])");
+    EXPECT_EQ(warnings_of(text, {"sample_count=9", "max_steps=40"}),
+              "warning: -a sample_count=9: no cell that is left has a value given here: sample_count is 40 "
+              "there, as the axis 'max_steps' goes before it\n");
+    EXPECT_EQ(warnings_of(text, {"factor=4"}, {"technique=march"}),
+              "warning: -a factor=4: no cell that is left has a value given here: no technique that is left "
+              "has a parameter 'factor'\n");
+    EXPECT_THAT(
+        warnings_of(text, {"distance=2", "projection=parallel"}),
+        HasSubstr("-a distance=2: no cell that is left has a value given here: no view that is left has a use"));
+    EXPECT_THAT(warnings_of(text, {"sample_count=9"}, {"technique=mesh"}),
+                HasSubstr("no technique that is left has a sample count"));
+    EXPECT_EQ(warnings_of(text, {"factor=4", "sample_count=16", "view_angle=0,60", "heightmap=bricks"}), "");
+    EXPECT_EQ(warnings_of(text, {"technique=march"}), "");
 }
 
 TEST(Overrides, OfAnUnknownAxisSayWhatItIsCalledHere) {

@@ -326,7 +326,30 @@ TEST(Filter, ThatCannotBeReadIsAnError) {
     EXPECT_THAT(filter_message("view_angle=95"), HasSubstr("from 0 to below 90"));
     EXPECT_THAT(filter_message("view_angle<steep"), HasSubstr("expected a number"));
     EXPECT_THAT(filter_message("leaf=exat"), HasSubstr("(did you mean 'exact'?)"));
-    EXPECT_THAT(filter_message("view_angle=45"), HasSubstr("--filter view_angle=45: no cell"));
+}
+
+TEST(Filter, ThatLeavesNoCellSaysWhatThereIs) {
+    EXPECT_EQ(filter_message("view_angle=45"),
+              "--filter view_angle=45: no cell of the configuration passes: view_angle is 0 or 60 there; "
+              "to measure it, use -a view_angle=45");
+    EXPECT_EQ(filter_message("view_angle>60"),
+              "--filter view_angle>60: no cell of the configuration passes: view_angle is 0 or 60 there");
+    EXPECT_THAT(filter_message("max_steps=200"),
+                HasSubstr("max_steps is 16 or 64 there; to measure it, use -a max_steps=200"));
+    EXPECT_THAT(filter_message("heightmap=rok"), HasSubstr("heightmap is rock or bricks there (did you mean 'rock'?)"));
+    EXPECT_THAT(filter_message("technique=mesh"),
+                HasSubstr("technique is plain, march or tree there; to measure it, use -a technique=mesh"));
+    EXPECT_THAT(filter_message("factor=4"), HasSubstr("no cell there has a 'factor'"));
+    EXPECT_EQ(
+        error_message([] {
+            filtered({"technique=march", "max_steps=64", "leaf=exact"});
+        }),
+        "--filter leaf=exact: no cell of those that pass --filter technique=march --filter max_steps=64 passes: no "
+        "cell there has a 'leaf'");
+    EXPECT_THAT(error_message([] {
+                    filtered({"technique=march", "view_angle=45"});
+                }),
+                HasSubstr("--filter view_angle=45: no cell of the configuration passes: view_angle is 0 or 60"));
 }
 
 }  // namespace
