@@ -2,6 +2,8 @@
 
 #include "compare/run_differences.hpp"
 #include "core/counted.hpp"
+#include "core/json_lookup.hpp"
+#include "core/suggest.hpp"
 
 #include <fmt/format.h>
 
@@ -134,6 +136,56 @@ std::optional<std::string> notice_on_ties(const RunSide& base, const RunSide& ch
         cells, counted(comparison.cells.size(), "cell"));
 }
 
+/// Technique, axes and parameters of a side's cells: each with its values as text, in their order.
+std::map<std::string, std::vector<std::string>> values_of_side(const RunSide& side) {
+    std::map<std::string, std::vector<std::string>> values;
+    const auto add = [&values](const std::string& name, const std::string& value) {
+        std::vector<std::string>& known = values[name];
+        if (std::find(known.begin(), known.end(), value) == known.end()) known.push_back(value);
+    };
+    for (const std::string& id : side.order) {
+        const SideCell& cell = side.cells.at(id);
+        const CellResult& result = cell.measured.empty() ? *cell.unmeasured : *cell.measured.front();
+        add("technique", result.technique);
+        for (const Json* members : {&result.axes, &result.parameters}) {
+            if (!members->is_object()) continue;
+            for (const auto& [name, value] : members->items())
+                add(name, text_of(value));
+        }
+    }
+    return values;
+}
+
+std::string first_values(const std::vector<std::string>& values) {
+    constexpr std::size_t most_told = 5;
+    if (values.size() <= most_told) return join(values);
+    return join({values.begin(), values.begin() + most_told}) + ", ...";
+}
+
+/// Where no cell is in both sides: what has no value in common, else what has not the same values.
+std::optional<std::string> notice_on_disjoint_sides(const RunSide& base, const RunSide& changed) {
+    const bool shares_a_cell = std::any_of(base.order.begin(), base.order.end(),
+                                           [&](const std::string& id) { return changed.cells.contains(id); });
+    if (shares_a_cell || base.order.empty() || changed.order.empty()) return std::nullopt;
+    const auto before = values_of_side(base);
+    const auto after = values_of_side(changed);
+    std::vector<std::string> disjoint;
+    std::vector<std::string> different;
+    for (const auto& [name, values] : before) {
+        const auto other = after.find(name);
+        if (other == after.end() || other->second == values) continue;
+        const std::string text = fmt::format("{} is {} in the base and {} in the new runs", name, first_values(values),
+                                             first_values(other->second));
+        const bool has_common = std::any_of(values.begin(), values.end(), [&](const std::string& value) {
+            return std::find(other->second.begin(), other->second.end(), value) != other->second.end();
+        });
+        (has_common ? different : disjoint).push_back(text);
+    }
+    const std::vector<std::string>& told = disjoint.empty() ? different : disjoint;
+    return "no cell is in both sides" +
+           (told.empty() ? ", which have the same values in other combinations" : ": " + join(told, "; "));
+}
+
 Json side_record(std::span<const StoredRun> runs) {
     const Json& run = runs.front().run.run;
     Json json;
@@ -158,6 +210,7 @@ Comparison pair_runs(const RunSide& base, const RunSide& changed, const std::vec
     for (std::vector<std::string> notices :
          {notices_on_runs(base.runs, changed.runs), notices_on_stand_ins(comparison)})
         std::move(notices.begin(), notices.end(), std::back_inserter(comparison.notices));
+    if (auto notice = notice_on_disjoint_sides(base, changed)) comparison.notices.push_back(std::move(*notice));
     if (auto notice = notice_on_ties(base, changed, comparison)) comparison.notices.push_back(std::move(*notice));
     comparison.environment["base"] = side_record(base.runs);
     comparison.environment["new"] = side_record(changed.runs);

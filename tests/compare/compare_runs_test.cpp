@@ -136,6 +136,23 @@ TEST(CompareRuns, AParameterThatOneSideDoesNotKnowIsNoDifference) {
     EXPECT_TRUE(comparison.uncompared.empty());
 }
 
+TEST(CompareRuns, OfSidesWithoutACommonCellItIsToldWhatDiffers) {
+    const auto cell = [](const std::string& id, int angle, int steps) {
+        CellResult result = cell_result(id, 1);
+        result.axes["view_angle"] = angle;
+        result.axes["tiling"] = 2;
+        result.parameters["max_steps"] = steps;
+        return result;
+    };
+    const StoredRun base = one_run("base", {cell("a", 0, 8), cell("b", 60, 8)});
+    EXPECT_THAT(compare_one(base, one_run("new", {cell("c", 45, 8), cell("d", 45, 16)})).notices,
+                Contains("no cell is in both sides: view_angle is 0, 60 in the base and 45 in the new runs"));
+    EXPECT_THAT(compare_one(base, one_run("new", {cell("c", 0, 16), cell("d", 60, 8)})).notices,
+                Contains("no cell is in both sides: max_steps is 8 in the base and 16, 8 in the new runs"));
+    EXPECT_THAT(compare_one(base, one_run("new", {cell("a", 0, 8), cell("d", 45, 8)})).notices,
+                testing::Not(Contains(HasSubstr("no cell is in both"))));
+}
+
 TEST(CompareRuns, WhatCannotBeComparedIsToldPlainly) {
     CellResult parameter = cell_result("parameter", 1);
     CellResult axis = cell_result("axis", 1);
