@@ -38,10 +38,8 @@ std::string format_progress(const Progress& progress) {
     const std::string total = std::to_string(progress.cells_total);
     std::string share;
     std::string left;
+    if (progress.share >= 0) share = fmt::format(" {:3.0f} %,", 100 * progress.share);
     if (progress.remaining_s >= 0) {
-        const double whole_s = progress.elapsed_s + progress.remaining_s;
-        const double percent = whole_s > 0 ? 100 * progress.elapsed_s / whole_s : 0;
-        share = fmt::format(" {:3.0f} %,", percent);
         left = fmt::format(", {} left", format_duration(progress.remaining_s));
     }
     return fmt::format("[{:>{}}/{}]{} {} elapsed{}: {}{}{}", progress.cells_done, total.size(), total, share,

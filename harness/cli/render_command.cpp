@@ -153,6 +153,7 @@ ExitCode draw_cell(const RenderOptions& options, OutputKind kind, const Cell& ce
     const DrawnCell drawn = drawing.beside_truth(cell, probe);
     write_cell(options.output, kind, shown_by(options), drawn);
     print_summary(cell, drawn, drawing.shadow_errors(cell, drawn));
+    if (!is_standard_output(options.output)) fmt::print(stderr, "wrote {}\n", options.output);
     return report_failure(cell, probe);
 }
 
@@ -161,7 +162,8 @@ void tell(const PreparationProgress& progress, ProgressPrinter& printer, double 
     printer({.cells_total = 1,
              .current = describe(progress),
              .elapsed_s = steady_clock().seconds() - start_s,
-             .remaining_s = progress.remaining_s});
+             .remaining_s = progress.remaining_s,
+             .share = progress.fraction});
 }
 
 ExitCode render(const RenderOptions& options) {

@@ -326,7 +326,7 @@ private:
         report(result.cell);
     }
 
-    void report(const std::string& current, const std::string& detail = {}) const {
+    void report(const std::string& current, const std::string& detail = {}) {
         if (!on_progress_) {
             return;
         }
@@ -337,6 +337,7 @@ private:
         progress.current = current;
         progress.elapsed_s = clock_.seconds() - start_s_;
         progress.remaining_s = estimate_.remaining_seconds();
+        progress.share = share_done_.of(progress.elapsed_s, progress.remaining_s);
         on_progress_(progress);
     }
 
@@ -351,6 +352,7 @@ private:
     RecentState recent_state_;
     std::unique_ptr<StoppingRule> rule_;
     TimeEstimate estimate_;
+    ShareDone share_done_;
     /// Earlier ones, too.
     std::size_t cells_done_;
     RunTally tally_;

@@ -25,6 +25,8 @@ struct Progress {
     double elapsed_s = 0;
     /// Estimated from what cells took so far; negative while unknown.
     double remaining_s = -1;
+    /// How much of the whole is done, in [0, 1]; negative while unknown. It never shrinks, though estimates change.
+    double share = -1;
 };
 
 /// Where the wall time went, for the line at the end of a run.

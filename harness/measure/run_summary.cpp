@@ -83,6 +83,7 @@ std::string format_run_summary(const RunOutcome& outcome, const Json& empty_pass
             stops.push_back(fmt::format("{} {} {}", cells, cells == 1 ? "cell" : "cells", why_stopped(reason)));
         }
     }
+    if (stops.empty()) return text;  // interrupted before any cell was finished
     text += fmt::format("sampling stopped: {}", join(stops));
     if (const std::size_t cells = outcome.tally.throttled_cells; cells > 0) {
         text +=

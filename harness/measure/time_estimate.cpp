@@ -43,4 +43,10 @@ double TimeEstimate::remaining_seconds() const {
     return preparation + sampling;
 }
 
+double ShareDone::of(double elapsed_s, double remaining_s) {
+    const double whole_s = elapsed_s + remaining_s;
+    if (remaining_s >= 0 && whole_s > 0) most_ = std::max(most_, elapsed_s / whole_s);
+    return remaining_s < 0 ? -1 : most_;
+}
+
 }  // namespace reliefbench

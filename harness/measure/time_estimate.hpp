@@ -37,4 +37,15 @@ private:
     double visit_seconds_ = 0;
 };
 
+/// How much of the time of a whole is over. What is not known yet is estimated anew while it goes on, but what is told
+/// never goes back.
+class ShareDone {
+public:
+    /// In [0, 1]; negative while unknown, which a negative `remaining_s` is.
+    double of(double elapsed_s, double remaining_s);
+
+private:
+    double most_ = -1;
+};
+
 }  // namespace reliefbench

@@ -6,6 +6,7 @@
 #include "measure/draw_subject.hpp"
 #include "measure/motion.hpp"
 #include "measure/shared_inputs.hpp"
+#include "measure/time_estimate.hpp"
 #include "technique/renderer.hpp"
 
 #include <algorithm>
@@ -244,7 +245,7 @@ private:
     }
 
     void report(const std::string& current, const std::string& detail = {}, std::size_t decided = 0,
-                double remaining_s = -1) const {
+                double remaining_s = -1) {
         if (!callbacks_.on_progress) return;
         Progress progress;
         progress.cells_done = cells_done_ + decided;
@@ -253,6 +254,7 @@ private:
         progress.current = current;
         progress.elapsed_s = clock_.seconds() - start_s_;
         progress.remaining_s = remaining_s;
+        progress.share = share_done_.of(progress.elapsed_s, remaining_s);
         callbacks_.on_progress(progress);
     }
 
@@ -270,6 +272,7 @@ private:
     VariantOutcome outcome_;
     std::size_t cells_done_ = 0;
     /// What progress tells.
+    ShareDone share_done_;
     std::string stage_;
     std::string side_;
 };

@@ -35,6 +35,7 @@ TEST(Progress, ALineTellsCellsShareAndTimeLeft) {
     EXPECT_EQ(format_progress(progress), "[ 12/160] 0:00 elapsed: some cell");
     progress.elapsed_s = 10;
     progress.remaining_s = 30;
+    progress.share = 0.25;
     EXPECT_EQ(format_progress(progress), "[ 12/160]  25 %, 0:10 elapsed, 0:30 left: some cell");
     progress.stage = "preparing 3 of 64";
     EXPECT_EQ(format_progress(progress), "[ 12/160]  25 %, 0:10 elapsed, 0:30 left: preparing 3 of 64: some cell");

@@ -6,6 +6,7 @@
 namespace reliefbench {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -36,6 +37,13 @@ TEST(RunSummary, IsPrinted) {
     EXPECT_THAT(text, HasSubstr("93.8 % of it inside counted samples; an empty pass takes 0.0013 ms\n"));
     EXPECT_THAT(text, HasSubstr("sampling stopped: 2 cells precise enough, 1 cell with the budget spent; 1 cell counts "
                                 "throttled rounds\n"));
+}
+
+TEST(RunSummary, OfARunInterruptedBeforeACellWasFinishedNamesNoReason) {
+    RunOutcome outcome;
+    outcome.split.total_s = 2;
+    outcome.split.timing_s = 1;
+    EXPECT_THAT(format_run_summary(outcome, empty_pass), AllOf(HasSubstr("timing:"), Not(HasSubstr("stopped"))));
 }
 
 TEST(RunSummary, WithoutTimingsThereIsNoUtilisation) {

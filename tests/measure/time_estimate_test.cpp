@@ -68,5 +68,15 @@ TEST(TimeEstimate, ACellThatTakesLongerThanOthersDidHasNothingNegativeLeft) {
     EXPECT_EQ(estimate.remaining_seconds(), 0);
 }
 
+TEST(ShareDone, NeverGoesBackThoughEstimatesChange) {
+    ShareDone done;
+    EXPECT_LT(done.of(1, -1), 0);
+    EXPECT_DOUBLE_EQ(done.of(2, 6), 0.25);
+    EXPECT_DOUBLE_EQ(done.of(3, 21), 0.25) << "a block with slow cells begins";
+    EXPECT_LT(done.of(4, -1), 0) << "unknown";
+    EXPECT_DOUBLE_EQ(done.of(10, 10), 0.5);
+    EXPECT_DOUBLE_EQ(done.of(20, 0), 1);
+}
+
 }  // namespace
 }  // namespace reliefbench
