@@ -65,8 +65,11 @@ OpenedRun resume_run(const std::filesystem::path& folder, const Json& now, bool 
     const Json recorded = read_run_record(folder);
     const std::vector<std::string> differences = resume_differences(recorded, now);
     if (!differences.empty() && !force) {
-        fail("{} cannot be resumed: {}; --resume=force goes on all the same and marks the cells", folder.string(),
-             join(differences, "; "));
+        fail(
+            "{} cannot be resumed: {}; choose another -o for a run of its own, or --resume=force, which goes on all "
+            "the "
+            "same and marks the cells",
+            folder.string(), join(differences, "; "));
     }
     for (const std::string& difference : differences)
         log_warning("resuming although {}", difference);

@@ -1,6 +1,7 @@
 #include "store/resume.hpp"
 
 #include "core/json_lookup.hpp"
+#include "core/suggest.hpp"
 #include "store/crashes.hpp"
 #include "store/read_samples.hpp"
 
@@ -29,16 +30,77 @@ Json without_folders(Json json) {
     return json;
 }
 
-/// The first places at which two configurations differ, as JSON pointers.
-std::string places(const Json& recorded, const Json& now) {
+/// The first few of them.
+std::string told(std::vector<std::string> differences) {
     constexpr std::size_t most_told = 3;
-    std::string text;
-    std::size_t told = 0;
-    for (const Json& step : Json::diff(recorded, now)) {
-        if (told++ == most_told) return text + ", ...";
-        text += (text.empty() ? "" : ", ") + step.at("path").get<std::string>();
+    if (differences.size() > most_told) {
+        differences.resize(most_told);
+        differences.emplace_back("...");
     }
-    return text;
+    return join(differences);
+}
+
+/// "0, 60" for a list; empty where it would be long or nested.
+std::string short_text(const Json& value) {
+    constexpr std::size_t longest = 60;
+    if (value.is_null()) return "not set";
+    std::vector<std::string> words;
+    for (const Json& each : value.is_array() ? value : Json::array({value})) {
+        if (each.is_structured()) return "";
+        words.push_back(text_of(each));
+    }
+    const std::string text = words.empty() ? "none" : join(words);
+    return text.size() <= longest ? text : "";
+}
+
+Json member_of(const Json& object, const std::string& name) {
+    return object.contains(name) ? object.at(name) : Json();
+}
+
+/// Of both objects, each once.
+std::vector<std::string> member_names(const Json& before, const Json& after) {
+    std::vector<std::string> names;
+    for (const Json* object : {&before, &after}) {
+        for (const auto& [name, value] : object->items()) {
+            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        }
+    }
+    return names;
+}
+
+/// As people name them: "the axis view_angle was 0, 60 and is 0, 61", "sampling.rounds was 6 and is 5".
+void append_setting(const std::string& name, const Json& before, const Json& after,
+                    std::vector<std::string>& differences) {
+    if (before == after) return;
+    if (before.is_object() && after.is_object()) {
+        const std::string prefix = name.empty() ? "" : name == "axes" ? "the axis " : name + ".";
+        for (const std::string& member : member_names(before, after))
+            append_setting(prefix + member, member_of(before, member), member_of(after, member), differences);
+        return;
+    }
+    const std::string was = short_text(before);
+    const std::string is = short_text(after);
+    differences.push_back(was.empty() || is.empty() ? name + " differs"
+                                                    : fmt::format("{} was {} and is {}", name, was, is));
+}
+
+/// Names of members with other values, or of the records of a list that only one side has.
+std::vector<std::string> differing_names(const Json& before, const Json& after) {
+    std::vector<std::string> names;
+    if (before.is_object() && after.is_object()) {
+        for (const std::string& name : member_names(before, after)) {
+            if (member_of(before, name) != member_of(after, name)) names.push_back(name);
+        }
+    } else if (before.is_array() && after.is_array()) {
+        for (const auto& [here, there] : {std::pair(&before, &after), std::pair(&after, &before)}) {
+            for (const Json& record : *here) {
+                if (std::find(there->begin(), there->end(), record) != there->end()) continue;
+                const std::string name = text_of(value_at(record, {"name"}));
+                if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+            }
+        }
+    }
+    return names;
 }
 
 }  // namespace
@@ -64,7 +126,12 @@ std::vector<std::string> resume_differences(const Json& recorded, const Json& no
     std::vector<std::string> differences;
     const Json before = without_folders(value_at(recorded, {"configuration"}));
     const Json after = without_folders(value_at(now, {"configuration"}));
-    if (before != after) differences.push_back("the configuration differs at " + places(before, after));
+    if (before != after) {
+        std::vector<std::string> settings;
+        append_setting("", before, after, settings);
+        differences.push_back("the configuration differs: " +
+                              (settings.empty() ? "the order in it" : told(std::move(settings))));
+    }
     if (value_at(recorded, {"filters"}) != value_at(now, {"filters"})) differences.push_back("the filters differ");
     if (value_at(recorded, {"shard"}) != value_at(now, {"shard"})) differences.push_back("it is another shard");
     for (const auto& [what, key] : {std::pair("height maps", "height_maps"), std::pair("techniques", "techniques"),
@@ -72,10 +139,10 @@ std::vector<std::string> resume_differences(const Json& recorded, const Json& no
         const Json hashes_before = value_at(recorded, {key});
         const Json hashes_after = value_at(now, {key});
         if (hashes_before == hashes_after) continue;
-        const bool named = hashes_before.is_structured() && hashes_after.is_structured();
+        std::vector<std::string> names = differing_names(hashes_before, hashes_after);
         const bool of_sources_alone = std::string_view(key) == "height_maps" || recorded.contains("source_hashes");
         differences.push_back(fmt::format("the content of {} differs{}{}", what,
-                                          named ? " at " + places(hashes_before, hashes_after) : "",
+                                          names.empty() ? "" : " (" + told(std::move(names)) + ")",
                                           of_sources_alone ? "" : ", or of other files in their folders"));
     }
     const auto compare = [&](const char* what, std::initializer_list<const char*> path) {

@@ -124,6 +124,17 @@ void append_whole_lines(const std::filesystem::path& from, LineFile& to) {
     } while (file);
 }
 
+[[noreturn]] void fail_without_run(const std::filesystem::path& folder) {
+    if (!is_there(folder)) fail("{} holds no run: there is no such folder", folder.string());
+    std::error_code ignored;
+    if (std::filesystem::is_directory(folder, ignored)) {
+        fail("{} holds no run: there is no {} in it", folder.string(), run_file);
+    }
+    const std::filesystem::path parent = folder.has_parent_path() ? folder.parent_path() : ".";
+    if (holds_run(parent)) fail("{} is a file; a run is named by its folder, {}", folder.string(), parent.string());
+    fail("{} is a file; a run is a folder with a {} in it", folder.string(), run_file);
+}
+
 }  // namespace
 
 std::filesystem::path image_path(const std::filesystem::path& folder, const std::string& cell,
@@ -246,9 +257,7 @@ void remove_unstarted_run(const std::filesystem::path& folder) {
 }
 
 Json read_run_record(const std::filesystem::path& folder) {
-    if (!holds_run(folder)) {
-        fail("{} holds no run: there is no {} in it", folder.string(), run_file);
-    }
+    if (!holds_run(folder)) fail_without_run(folder);
     Json record = read_json_file(folder / run_file);
     check_run_record(JsonView(record, (folder / run_file).string()));
     return record;

@@ -79,7 +79,7 @@ TEST(Merge, NeverMixesRunsOrDevices) {
         other.run.run[Json::json_pointer(pointer)] = value;
         return refusal({shard(1, 2, {"a"}), other});
     };
-    EXPECT_THAT(refused_with("/configuration/seed", 2), HasSubstr("/seed"));
+    EXPECT_THAT(refused_with("/configuration/seed", 2), HasSubstr("seed was 1 and is 2"));
     EXPECT_THAT(refused_with("/device/name", "slow gpu"), HasSubstr("'slow gpu'"));
     EXPECT_THAT(refused_with("/device/driver_version", "2"), HasSubstr("driver's version"));
     EXPECT_THAT(refused_with("/shaders", "x"), HasSubstr("shaders"));

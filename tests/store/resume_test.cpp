@@ -39,13 +39,18 @@ TEST(ResumeDifferences, WhenWhereAndByWhomDoNotMatter) {
 
 TEST(ResumeDifferences, AllThatMovesAFigureIsTold) {
     EXPECT_THAT(differences_after("/configuration/axes/view_angle/1", 61),
-                ElementsAre("the configuration differs at /axes/view_angle/1"));
+                ElementsAre("the configuration differs: the axis view_angle was 0, 60 and is 0, 61"));
+    EXPECT_THAT(differences_after("/configuration/axes/azimuth", Json::array({45})),
+                ElementsAre("the configuration differs: the axis azimuth was not set and is 45"));
+    EXPECT_THAT(differences_after("/configuration/sampling", Json::parse(R"({"rounds": 6})")),
+                ElementsAre("the configuration differs: sampling differs"));
+    EXPECT_THAT(differences_after("/configuration/seed", 2),
+                ElementsAre("the configuration differs: seed was 1 and is 2"));
     EXPECT_THAT(differences_after("/filters", Json::array({"technique=first"})), ElementsAre("the filters differ"));
-    EXPECT_THAT(differences_after("/techniques/first", "ab"),
-                ElementsAre("the content of techniques differs at /first"));
+    EXPECT_THAT(differences_after("/techniques/first", "ab"), ElementsAre("the content of techniques differs (first)"));
     EXPECT_THAT(differences_after("/shaders", "ab"), ElementsAre("the content of shaders differs"));
     EXPECT_THAT(differences_after("/height_maps/0/hash", "ab"),
-                ElementsAre("the content of height maps differs at /0/hash"));
+                ElementsAre("the content of height maps differs (rocks.png)"));
     EXPECT_THAT(differences_after("/device/name", "slow"), ElementsAre("the device was 'fast' and is 'slow'"));
     EXPECT_THAT(differences_after("/device/driver_version", "2"),
                 ElementsAre("the driver's version was '1' and is '2'"));
@@ -59,11 +64,11 @@ TEST(ResumeDifferences, HashesOfWholeFoldersMayDifferByOtherFiles) {
     EXPECT_THAT(resume_differences(before, recorded), IsEmpty());
     before["techniques"]["first"] = "ab";
     EXPECT_THAT(resume_differences(before, recorded),
-                ElementsAre("the content of techniques differs at /first, or of other files in their folders"));
+                ElementsAre("the content of techniques differs (first), or of other files in their folders"));
     before = recorded;
     before.erase("source_hashes");
     before["height_maps"][0]["hash"] = "ab";
-    EXPECT_THAT(resume_differences(before, recorded), ElementsAre("the content of height maps differs at /0/hash"));
+    EXPECT_THAT(resume_differences(before, recorded), ElementsAre("the content of height maps differs (rocks.png)"));
 }
 
 TEST(ResumeDifferences, OfACpuDeviceTheCpuIsTold) {
