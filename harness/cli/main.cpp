@@ -1,9 +1,10 @@
 #include "cli/command.hpp"
+#include "cli/help_formatter.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/results.hpp"
 #include "cli/run_sides.hpp"
+#include "cli/usage_complaint.hpp"
 #include "core/error.hpp"
-#include "core/suggest.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -11,6 +12,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -44,26 +46,6 @@ ExitCode execute(const ChosenCommand& chosen) {
     }
 }
 
-std::vector<std::string> command_names(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands({}))
-        names.push_back(command->get_name());
-    return names;
-}
-
-/// In place of CLI11's own words, which do not say that the first word was taken for no command.
-std::string usage_complaint(const CLI::App& app, const CLI::ParseError& error) {
-    if (app.get_subcommands().empty()) {
-        for (const std::string& word : app.remaining()) {
-            if (word.starts_with('-')) continue;
-            const std::vector<std::string> names = command_names(app);
-            return fmt::format("there is no command '{}'{}; the commands are {}", word, did_you_mean(word, names),
-                               join(names));
-        }
-    }
-    return error.what();
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -71,6 +53,7 @@ int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);
     CLI::App app{"Measures techniques for drawing surface relief: GPU time against error from the ground truth.",
                  "reliefbench"};
+    app.formatter(std::make_shared<HelpFormatter>());  // before commands, which take it over
     app.set_version_flag("--version", RELIEFBENCH_VERSION);
     app.require_subcommand(1);
     app.footer(
@@ -106,7 +89,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         const bool asked_for_help = error.get_exit_code() == 0;
         if (!asked_for_help) {
-            fmt::print(stderr, "reliefbench: {}; see `reliefbench --help`\n", usage_complaint(app, error));
+            fmt::print(stderr, "reliefbench: {}\n", usage_complaint(app, error));
             return static_cast<int>(ExitCode::bad_input);
         }
         chosen = [&app, &error] {

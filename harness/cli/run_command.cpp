@@ -177,8 +177,10 @@ void add_run_command(CLI::App& app, ChosenCommand& chosen, const std::vector<std
             "--resume{plain}", options->resume,
             "Go on with the run in -o where it was interrupted, or start it where there is none; refused when its "
             "configuration, maps, shaders or device are not the same, unless --resume=force, which marks the cells")
-        ->type_name("")
-        ->check(CLI::IsMember({"plain", "force"}));
+        ->option_text("[=force]")
+        ->check([](const std::string& mode) {
+            return mode == "plain" || mode == "force" ? "" : fmt::format("expected force or nothing, found '{}'", mode);
+        });
     options->cells.add_to(*command);
     options->sampling.add_to(*command);
     add_repeated_option(

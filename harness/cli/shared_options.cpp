@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/log.hpp"
+#include "core/number_text.hpp"
 #include "core/suggest.hpp"
 #include "sweep/configuration_keys.hpp"
 
@@ -77,7 +78,10 @@ void PreparationOptions::add_to(CLI::App& command) {
         .add_option("--preparation-limit", limit_s,
                     "Skip what would take longer to prepare than so many seconds on the device; "
                     "default: the configuration's preparation.limit_s, else 60")
-        ->check(CLI::NonNegativeNumber)
+        ->check([](const std::string& text) {
+            const std::optional<double> seconds = whole_text_as<double>(text);
+            return seconds && *seconds >= 0 ? "" : fmt::format("expected a number of at least 0, found '{}'", text);
+        })
         ->type_name("SECONDS");
 }
 

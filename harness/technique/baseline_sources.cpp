@@ -48,7 +48,9 @@ std::string resolve_commit(const fs::path& top, const std::string& revision) {
     const std::string problem =
         fmt::format("the baseline '{}' is neither a folder nor a revision of {}", revision, top.string());
     // git would take it for an option, and the end of options is not known to all of its commands.
-    if (revision.empty() || revision.front() == '-') fail("{}: revisions do not begin with '-'", problem);
+    if (revision.empty())
+        fail("the baseline is empty; name a commit, branch or tag, or a folder that holds techniques");
+    if (revision.front() == '-') fail("{}: revisions do not begin with '-'", problem);
     const FinishedProcess found =
         git(top, {"rev-parse", "--verify", "--quiet", "--end-of-options", revision + "^{commit}"});
     if (found.exit_code != 0) {

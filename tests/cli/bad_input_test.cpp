@@ -62,6 +62,92 @@ TEST_F(BadInput, AMissingConfiguration) {
     expect_refused({"missing.json"}, {"missing.json", "No such file"});
 }
 
+TEST_F(BadInput, ACommandLineIsToldInWordsOfItsOwn) {
+    struct Case {
+        std::vector<std::string> arguments;
+        std::vector<std::string> words;
+    };
+    const std::string smoke = tiny();
+    const std::vector<Case> cases{
+        {{"list", "axis"},
+         {"there is no `reliefbench list` of 'axis' (did you mean 'axes'?)", "`reliefbench list --help`"}},
+        {{"list", "technique"}, {"(did you mean 'techniques'?); there are techniques, devices"}},
+        {{"list"}, {"`reliefbench list` of what? There are techniques, devices"}},
+        {{}, {"a command is missing; the commands are list, run"}},
+        {{"rum"}, {"there is no command 'rum' (did you mean 'run'?)", "see `reliefbench --help`"}},
+        {{"run", smoke, "--fliter", "technique=pom"},
+         {"`reliefbench run` has no option '--fliter' (did you mean '--filter'?); see `reliefbench run --help`"}},
+        {{"run", "--dryrun"}, {"has no option '--dryrun' (did you mean '--dry-run'?)"}},
+        {{"run", smoke, "--fromat=csv"}, {"has no option '--fromat' (did you mean '--format'?)"}},
+        {{"run", smoke, "again"}, {"`reliefbench run` takes no argument 'again'; see `reliefbench run --help`"}},
+        {{"--fliter", "x", "run"}, {"`reliefbench` has no option '--fliter'"}},
+        {{"run", smoke, "--preparation-limit", "-1"},
+         {"--preparation-limit: expected a number of at least 0, found '-1'"}},
+        {{"run", smoke, "--resume=foo"}, {"--resume: expected force or nothing, found 'foo'"}},
+        {{"run"}, {"configuration is required; see `reliefbench run --help`"}},
+        {{"advise", "run", "--flip", "x"}, {"--flip: expected a number, found 'x'; see `reliefbench advise --help`"}},
+        {{"selfcheck", smoke, "--processes", "3.5"}, {"--processes: expected a whole number, found '3.5'"}},
+        {{"run", "smok.json"},
+         {"cannot read smok.json: No such file or directory (did you mean '", "configs/smoke.json'?)"}},
+        {{"run", "quick.json"}, {"(did you mean '", "configs/quick.json'?)"}},
+        {{"run", "nothing_like_it.json"}, {"those that come with reliefbench are ", "configs/smoke.json"}},
+        {{"render", "--technique", "pom", "--set", "view_angle=60", "-o", path("a.png")},
+         {"--set view_angle=60: view_angle is an axis of the view, not a parameter; use -a view_angle=60"}},
+        {{"render", "--technique", "pom", "--animate", "azimut=[0:10:5]", "-o", path("a.png")},
+         {"reliefbench: --animate azimut=[0:10:5]: ", "(did you mean 'azimuth'?)"}},
+        {{"render", "--technique", "pom", "--lighting", "[]", "-o", path("a.png")}, {"--lighting: expected an object"}},
+        {{"render", "--technique", "pom", "--lighting", R"({"shininess": "x"})", "-o", path("a.png")},
+         {"--lighting: shininess: expected a number"}},
+        {{"ab", smoke, "--baseline", ""}, {"the baseline is empty; name a commit, branch or tag, or a folder"}},
+        {{"advise", path("none"), "--flip", "1"}, {path("none") + " holds no run: there is no such folder"}},
+    };
+    for (const auto& [arguments, words] : cases) {
+        const Outcome refused = reliefbench(arguments);
+        EXPECT_EQ(refused.code, 2);
+        for (const std::string& word : words)
+            EXPECT_THAT(refused.err, HasSubstr(word));
+    }
+}
+
+TEST_F(BadInput, SettingsOfSamplingAreNamedAsTheyAreGiven) {
+    expect_refused({tiny(), "--sampling", "rule=fixd"}, {"--sampling rule=fixd: rule: expected one of", "'fixed'"});
+    expect_refused({tiny(), "--sampling", "ruel=fixed"}, {"--sampling ruel=fixed: unknown key \"ruel\""});
+}
+
+TEST_F(BadInput, AShortNameOfAFigureGetsThoseThatItMayMean) {
+    ASSERT_EQ(reliefbench({"run", tiny(), "-o", path("run")}).code, 0);
+    const std::string run = path("run");
+    EXPECT_THAT(reliefbench({"advise", run, "--limit", "flip=0.02"}).err,
+                HasSubstr("--limit: there is no figure 'flip' (did you mean image.footprint.flip, image.flip?)"));
+    EXPECT_THAT(reliefbench({"advise", run, "--flip", "1", "--rank-by", "uv p99"}).err,
+                HasSubstr("--rank-by: there is no figure 'uv p99' (did you mean error.uv_texels.p99?)"));
+    EXPECT_THAT(reliefbench({"advise", run, "--flip", "1", "--rank-by", "uv"}).err, HasSubstr("error.uv_texels.p99"));
+    EXPECT_THAT(
+        reliefbench({"compare", "--quality", "--quality-figures", "flip", run, run}).err,
+        HasSubstr("--quality-figures: there is no figure 'flip' (did you mean image.footprint.flip, image.flip?)"));
+    const Outcome file = reliefbench({"advise", run + "/run.json", "--flip", "1"});
+    EXPECT_EQ(file.code, 2);
+    EXPECT_THAT(file.err, HasSubstr("run.json is a file; a run is named by its folder, " + run));
+    EXPECT_THAT(reliefbench({"run", run, "--dry-run"}).err,
+                HasSubstr("it is a folder; name a configuration, or " + run));
+}
+
+TEST_F(BadInput, HelpShowsOptionsAsTheyAreTyped) {
+    const Outcome help = reliefbench({"run", "--help"});
+    EXPECT_THAT(help.out, HasSubstr("--resume[=force] "));
+    EXPECT_THAT(help.out, HasSubstr("--preparation-limit SECONDS "));
+    EXPECT_THAT(help.out, testing::Not(testing::HasSubstr("{")));
+}
+
+TEST_F(BadInput, AFolderOrAMissingFileForAHeightMap) {
+    std::filesystem::create_directory(path("folder"));
+    const std::string map = path("folder");
+    expect_refused({tiny(), "-a", "heightmap=" + map}, {"'" + map + "' is a folder; name a file in it"});
+    expect_refused({tiny(), "-a", "albedo=" + map}, {"'" + map + "' is a folder; name a file in it"});
+    expect_refused({tiny(), "-a", "heightmap=/nosuch/x.png"}, {"heightmap: there is no file '/nosuch/x.png'\n"});
+    expect_refused({write("empty.json", "")}, {"empty.json: it is empty; expected JSON"});
+}
+
 TEST_F(BadInput, AFolderForAConfiguration) {
     expect_refused({path("")}, {path("")});
 }
