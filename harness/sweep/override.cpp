@@ -64,8 +64,7 @@ void append_range(const std::string& text, Override& target) {
 
 /// A range is bare numbers between colons; what is quoted or nested is JSON.
 bool is_range(std::string_view part) {
-    return part == "[]" ||
-           (part.find(':') != std::string_view::npos && part.find_first_of("\"{") == std::string_view::npos);
+    return part.find(':') != std::string_view::npos && part.find_first_of("\"{") == std::string_view::npos;
 }
 
 /// Behind the string, array or object of JSON that begins at `begin`.
@@ -97,7 +96,17 @@ void append_json(const std::string& part, Override& target) {
         append_range(part, target);
         return;
     }
-    Json value = parse_json(part, target.argument);
+    Json value;
+    try {
+        value = parse_json(part, target.argument);
+    } catch (const Error& error) {
+        fail(
+            "{}: write words with commas only (a,b), strings with commas or brackets of their own as JSON "
+            "([\"a\",\"b,c\"]), "
+            "and ranges as [start:stop:step]",
+            error.what());
+    }
+    if (value.is_array() && value.empty()) fail("{}: the list is empty", target.argument);
     if (!value.is_array()) {
         target.values.push_back(std::move(value));
         return;

@@ -200,9 +200,15 @@ void apply_overrides(const std::vector<Override>& parsed, Configuration& configu
     for (const Override& given : parsed) {
         if (given.name == "technique") override_techniques(given, configuration, manifests);
     }
-    for (const Override& given : parsed) {
-        if (given.name != "technique") override_axis(given, configuration, manifests);
-    }
+    // Then albedos, which take the place of the configuration's height maps' own, but not of those given beside them.
+    const auto override_axes = [&](bool albedos) {
+        for (const Override& given : parsed) {
+            if (given.name != "technique" && (given.name == "albedo") == albedos)
+                override_axis(given, configuration, manifests);
+        }
+    };
+    override_axes(true);
+    override_axes(false);
     untie(parsed, configuration);
 }
 
@@ -237,6 +243,18 @@ Json expanded_json(const Configuration& configuration) {
     json["images"] = configuration.images;
     if (configuration.motion) json["motion"] = to_json(*configuration.motion);
     return json;
+}
+
+/// Of an axis `albedo` and a height map's own one would be left out, and nothing would tell.
+void refuse_two_albedos(const Configuration& configuration) {
+    const auto albedos = std::ranges::find(configuration.axes, "albedo", &Axis::name);
+    const auto maps = std::ranges::find(configuration.axes, "heightmap", &Axis::name);
+    if (albedos == configuration.axes.end() || maps == configuration.axes.end()) return;
+    for (const Json& value : maps->values) {
+        if (!value.is_object() || !value.contains("albedo")) continue;
+        fail("{}: {}: a height map has an albedo of its own, {}; give either that or the axis albedo",
+             albedos->origin.file, albedos->origin.path, value.at("albedo").dump());
+    }
 }
 
 /// Several sizes swept over a file would look as if they were measured.
@@ -288,6 +306,7 @@ Configuration configuration_with(const Json& json, const std::string& file, cons
     plan_sweep(configuration, techniques);
     apply_overrides(overrides, configuration, manifests);
     plan_sweep(configuration, techniques);
+    refuse_two_albedos(configuration);
     warn_of_sizes_of_files(configuration);
     configuration.expanded = expanded_json(configuration);
     return configuration;

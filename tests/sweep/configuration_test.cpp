@@ -541,6 +541,9 @@ TEST_F(ConfigurationFiles, OfAlbedosAreAnAxisAndPartOfTheMapsName) {
     EXPECT_EQ(albedo(own, {}), (root_ / "configs/both.png").string());
     EXPECT_EQ(albedo(own, {"albedo=skin.jpg"}), (root_ / "here/skin.jpg").string()) << "what is asked for last";
     EXPECT_EQ(albedo(own, {"albedo=none"}), "");
+    for (const auto& both : {std::vector<std::string>{"albedo=none", "heightmap=" + own},
+                             std::vector<std::string>{"heightmap=" + own, "albedo=none"}})
+        EXPECT_THAT(error_message([&] { read(R"("rock")", both); }), HasSubstr("give either that or the axis albedo"));
     const std::vector<Cell> cells =
         expand(read(R"(["rock", "both.png"])", {"albedo=none,skin.jpg"}), fake_techniques());
     EXPECT_THAT(names(cells), ElementsAre("plain | heightmap=rock", "plain | heightmap=rock+albedo=skin.jpg",
