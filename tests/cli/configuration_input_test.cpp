@@ -65,10 +65,13 @@ TEST_F(ConfigurationInput, WithoutANameOrAFileOfItsOwnTheRunIsCalledConfiguratio
     Json json = tiny_configuration();
     json.erase("name");
     write_configuration("unnamed.json", json);
-    ASSERT_EQ(shell("cat unnamed.json | " + binary() + " run -").code, 0);
-    ASSERT_EQ(shell("cat unnamed.json | " + binary() + " run /dev/stdin").code, 0);
-    for (const auto& entry : std::filesystem::directory_iterator(path("results")))
-        EXPECT_THAT(entry.path().filename().string(), StartsWith("configuration-"));
+    for (const std::string input : {"-", "/dev/stdin"}) {
+        ASSERT_EQ(shell("cat unnamed.json | " + binary() + " run " + input).code, 0);
+        for (const auto& entry : std::filesystem::directory_iterator(path("results")))
+            EXPECT_THAT(entry.path().filename().string(), StartsWith("configuration-"));
+        // Two runs of one second would have one folder.
+        std::filesystem::remove_all(path("results"));
+    }
 }
 
 TEST_F(ConfigurationInput, ANameLeadsNowhereButIntoResults) {
