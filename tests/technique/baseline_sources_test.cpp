@@ -101,8 +101,8 @@ TEST_F(Baseline, AllThatGitTakesForACommitWorks) {
 
 TEST_F(Baseline, WhatIsNoRevisionIsAnErrorThatSaysSo) {
     commit("old");
-    for (const std::string name :
-         {"nonsense", "a b", "old; touch x", "--all", "-h", "", "HEAD:techniques", "--output=x"}) {
+    EXPECT_THAT(error_message([&] { find(""); }), HasSubstr("the baseline is empty"));
+    for (const std::string name : {"nonsense", "a b", "old; touch x", "--all", "-h", "HEAD:techniques", "--output=x"}) {
         EXPECT_THAT(error_message([&] { find(name); }), AllOf(HasSubstr("'" + name + "'"), HasSubstr("neither")))
             << name;
     }
