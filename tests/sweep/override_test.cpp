@@ -73,6 +73,7 @@ TEST(Override, NamesOfTechniquesAndFilesAreNoNumbers) {
 
 TEST(Override, ThatCannotBeReadIsAnError) {
     EXPECT_THAT(message_of("heightmap=[\"a\",b]"), HasSubstr("-a heightmap=[\"a\",b]:1:6"));
+    EXPECT_THAT(message_of("heightmap=[a,b]"), HasSubstr("strings with commas or brackets of their own as JSON"));
     EXPECT_THAT(message_of("heightmap=[\"a\"]b"), HasSubstr("expected a comma behind [\"a\"], found 'b'"));
     EXPECT_THAT(message_of("heightmap=\"a"), HasSubstr("lacks its closing quote"));
     EXPECT_THAT(message_of("heightmap=[\"a]\""), HasSubstr("lacks its closing bracket"));
@@ -83,7 +84,7 @@ TEST(Override, ThatCannotBeReadIsAnError) {
     EXPECT_THAT(message_of("view_angle=0,,60"), HasSubstr("a value is missing between commas"));
     EXPECT_THAT(message_of("view_angle=[0:80"), HasSubstr("lacks its closing bracket"));
     EXPECT_THAT(message_of("view_angle=[0:80]"), HasSubstr("does not have three numbers; write [start:stop:step]"));
-    EXPECT_THAT(message_of("view_angle=[]"), HasSubstr("has '' for a number"));
+    EXPECT_THAT(message_of("view_angle=[]"), HasSubstr("the list is empty"));
     EXPECT_THAT(message_of("view_angle=[0:x:20]"), HasSubstr("has 'x' for a number"));
     EXPECT_THAT(message_of("view_angle=[0:80:0]"), HasSubstr("has a step of zero"));
     EXPECT_THAT(message_of("view_angle=[0:80:-5]"), HasSubstr("steps away from its stop"));
