@@ -45,7 +45,7 @@ TEST_F(TechniqueSourcesOfRuns, WhatAnEditorLeavesBehindChangesNoSource) {
     write("techniques/mine/trace.glsl", read_file(path("techniques/mine/trace.glsl")) + "// edited\n");
     const Outcome refused = run(path("before"), {"--resume"});
     EXPECT_EQ(refused.code, 2);
-    EXPECT_THAT(refused.err, HasSubstr("the content of techniques differs at /mine"));
+    EXPECT_THAT(refused.err, HasSubstr("the content of techniques differs (mine)"));
     ASSERT_EQ(run(path("edited")).code, 0);
     EXPECT_THAT(reliefbench({"compare", path("before"), path("edited")}).out,
                 HasSubstr("the sources of these techniques changed: mine"));
