@@ -2,7 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
-#include "core/glsl_tokens.hpp"
+#include "core/glsl_includes.hpp"
 #include "core/suggest.hpp"
 #include "gpu/flat_shader.hpp"
 #include "gpu/shader_complaint.hpp"
@@ -180,18 +180,16 @@ private:
     /// A condition that is never closed is the fault of the file that opens it.
     std::string of_preprocessor(const LogComplaint& complaint) const {
         if (complaint.message != "missing #endif") return told(complaint.place, in_words(complaint));
-        std::vector<std::string> files{source_.file};
-        for (std::size_t i = 0; i < files.size(); ++i) {
+        for (IncludedGlsl& file : glsl_with_includes({source_.file}, source_.roots)) {
             std::vector<GlslToken> open;
-            for (GlslToken& token : glsl_tokens(source_text(files[i]))) {
-                const std::string included = included_file(token);
-                if (!included.empty() && std::ranges::find(files, included) == files.end()) files.push_back(included);
+            for (GlslToken& token : file.tokens) {
                 const std::string name = glsl_directive(token).name;
                 if (name.starts_with("if")) open.push_back(std::move(token));
                 if (name == "endif" && !open.empty()) open.pop_back();
             }
             if (!open.empty())
-                return told({files[i], open.front().line, open.front().column}, "this condition has no '#endif'");
+                return told({file.name.string(), open.front().line, open.front().column},
+                            "this condition has no '#endif'");
         }
         return told(complaint.place, in_words(complaint));
     }

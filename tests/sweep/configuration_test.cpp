@@ -1,51 +1,15 @@
-#include "sweep/configuration.hpp"
-#include "sweep/override_effects.hpp"
-
-#include "core/file.hpp"
-#include "fake_techniques.hpp"
-#include "support/error_message.hpp"
-#include "support/temporary_folder.hpp"
+#include "configuration_text.hpp"
 
 #include <gmock/gmock.h>
 
-#include <filesystem>
 #include <limits>
 
 namespace reliefbench {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-Configuration parse(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    return parse_configuration(parse_json(text, "test.json"), "test.json", overrides, fake_techniques());
-}
-
-std::vector<std::string> ids(const Configuration& configuration) {
-    std::vector<std::string> found;
-    for (const Cell& cell : expand(configuration, fake_techniques()))
-        found.push_back(cell.id);
-    return found;
-}
-
-std::string message_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    return error_message([&] { ids(parse(text, overrides)); });
-}
-
-/// A configuration that is right but for `members`.
-std::string with(const std::string& members, const std::string& techniques = R"(["plain", "march", "tree"])") {
-    return R"({"techniques": )" + techniques + R"(, )" + members + "}";
-}
-
-std::string with_axis(const std::string& axis) {
-    return with(R"("axes": {"heightmap": "rock", )" + axis + "}");
-}
-
-std::string with_member(const std::string& member) {
-    return with(R"("axes": {"heightmap": "rock", "view_angle": [0, 60], "azimuth": [0, 45, 90]}, )" + member);
-}
 
 const std::string plain_text = with(R"("axes": {"heightmap": "rock"})", R"(["plain", "march"])");
 
@@ -255,141 +219,6 @@ TEST(Configuration, TooManyCellsAreRefusedBeforeTheyAreMade) {
     EXPECT_THAT(message_of(json.dump()), HasSubstr("1362944 cells are more than 1000000"));
 }
 
-TEST(Overrides, ReplaceAddAndAreNamedInMessages) {
-    const std::string text = with(R"("axes": {"heightmap": "rock", "view_angle": [10, 20]})", R"(["plain"])");
-    EXPECT_THAT(ids(parse(text, {"view_angle=0,60", "tiling=2"})),
-                ElementsAre("plain | heightmap=rock tiling=2", "plain | heightmap=rock view_angle=60 tiling=2"));
-    EXPECT_THAT(ids(parse(text, {"heightmap=bricks", "view_angle=[0:80:80]"})),
-                ElementsAre("plain | heightmap=bricks", "plain | heightmap=bricks view_angle=80"));
-    EXPECT_THAT(message_of(text, {"view_angle=95"}),
-                HasSubstr("-a view_angle=95: view_angle: expected a number from 0 to below 90, found 95"));
-    EXPECT_THAT(message_of(text, {"view_angel=5"}), AllOf(HasSubstr("-a view_angel=5"), HasSubstr("'view_angle'")));
-    EXPECT_THAT(message_of(text, {"heightmap=rok"}), AllOf(HasSubstr("-a heightmap=rok"), HasSubstr("'rock'")));
-    EXPECT_THAT(message_of(text, {"view_angle=5", "view_angle=6"}),
-                HasSubstr("-a view_angle=6: 'view_angle' is given twice, first as -a view_angle=5"));
-    EXPECT_THAT(message_of(text, {"resolution=0x0"}), HasSubstr("-a resolution=0x0: resolution: expected a size"));
-}
-
-TEST(Overrides, OfAParameterReplaceItWhereverItIsSet) {
-    const std::string text =
-        with(R"("axes": {"heightmap": "rock", "sample_count": [16, 128]})",
-             R"([{"technique": "tree", "parameters": {"max_steps": 99, "leaf": "linear"}}, "march"])");
-    EXPECT_THAT(ids(parse(text, {"max_steps=17"})),
-                ElementsAre("tree max_steps=17 leaf=linear | heightmap=rock", "march max_steps=17 | heightmap=rock"));
-    EXPECT_THAT(ids(parse(text, {"sample_count=20"})), ElementsAre("tree max_steps=20 leaf=linear | heightmap=rock",
-                                                                   "march max_steps=20 min_steps=5 | heightmap=rock"));
-    EXPECT_THAT(ids(parse(text, {"leaf=exact", "sample_count=20"})),
-                ElementsAre("tree max_steps=20 | heightmap=rock", "march max_steps=20 min_steps=5 | heightmap=rock"));
-}
-
-TEST(Overrides, OfATiedAxisHoldForAllThatItWasTiedTo) {
-    const std::string text = with(R"("axes": {"heightmap": ["rock", "bricks", "rock"], "view_angle": [0, 30, 60],
-        "tiling": [1, 2, 2]}, "zip": [["heightmap", "view_angle", "tiling"]])",
-                                  R"(["plain"])");
-    EXPECT_THAT(ids(parse(text)),
-                ElementsAre("plain | heightmap=rock", "plain | heightmap=bricks view_angle=30 tiling=2",
-                            "plain | heightmap=rock view_angle=60 tiling=2"));
-    EXPECT_THAT(ids(parse(text, {"view_angle=60"})),
-                ElementsAre("plain | heightmap=rock view_angle=60", "plain | heightmap=bricks view_angle=60 tiling=2",
-                            "plain | heightmap=rock view_angle=60 tiling=2"));
-    EXPECT_THAT(ids(parse(text, {"view_angle=5", "heightmap=rock"})),
-                ElementsAre("plain | heightmap=rock view_angle=5", "plain | heightmap=rock view_angle=5 tiling=2"));
-}
-
-/// What is told of overrides once filters are applied.
-std::string warnings_of(const std::string& text, const std::vector<std::string>& overrides,
-                        const std::vector<std::string>& filters = {}) {
-    const Configuration configuration = parse(text, overrides);
-    const std::vector<Cell> cells = filter_cells(expand(configuration, fake_techniques()), filters, fake_techniques());
-    testing::internal::CaptureStderr();
-    warn_of_overrides(configuration, cells, fake_techniques());
-    return testing::internal::GetCapturedStderr();
-}
-
-const std::string tied_views = with(
-    R"("axes": {"heightmap": ["rock", "bricks", "rock"], "projection": ["parallel", "parallel", "perspective"],
-    "view_angle": [0, 45, 60], "azimuth": [-67, -45, -67]},
-    "zip": [["heightmap", "projection", "view_angle", "azimuth"]])",
-    R"(["plain"])");
-
-TEST(Overrides, ThatTakeAxesOutOfTheirZipAreToldOnceWithWhatToDo) {
-    EXPECT_EQ(warnings_of(tied_views, {"heightmap=spikes", "view_angle=70", "resolution=128x72"}),
-              "warning: -a heightmap=spikes -a view_angle=70: the configuration ties heightmap and "
-              "view_angle to projection and azimuth (\"zip\"); with values of their own they are tied no more, and "
-              "combined with each of the 3 combinations of projection and azimuth; give -a projection=... "
-              "-a azimuth=... too, or --filter projection=perspective\n");
-    EXPECT_THAT(warnings_of(tied_views, {"heightmap=spikes", "view_angle=70", "projection=parallel"}),
-                HasSubstr("combined with each of the 2 values of azimuth; give -a azimuth=... too, or --filter "
-                          "azimuth=-67"))
-        << "one axis is left";
-    const std::string pair = with(
-        R"("axes": {"heightmap": "rock", "view_angle": [0, 60], "tiling": [1, 2]}, "zip": [["view_angle", "tiling"]])",
-        R"(["plain"])");
-    EXPECT_THAT(warnings_of(pair, {"view_angle=30"}),
-                AllOf(HasSubstr("-a view_angle=30: the configuration ties view_angle to tiling (\"zip\")"),
-                      HasSubstr("it is tied no more")));
-    EXPECT_EQ(warnings_of(pair, {"heightmap=bricks"}), "");
-}
-
-TEST(Overrides, OfAZipThatLeaveOneValueOfTheOthersAreWhatWasAskedFor) {
-    EXPECT_EQ(warnings_of(tied_views, {"heightmap=spikes", "view_angle=0,70", "projection=parallel", "azimuth=3"}), "");
-    EXPECT_EQ(warnings_of(tied_views, {"heightmap=spikes", "view_angle=70"}, {"projection=perspective"}), "");
-    const std::string same = with(
-        R"("axes": {"heightmap": "rock", "view_angle": [0, 60], "tiling": [2, 2]}, "zip": [["view_angle", "tiling"]])",
-        R"(["plain"])");
-    EXPECT_EQ(warnings_of(same, {"view_angle=30"}), "");
-}
-
-TEST(Overrides, OfAZipAreNotToldBeforeAnErrorOfAValue) {
-    testing::internal::CaptureStderr();
-    EXPECT_THROW(parse(tied_views, {"heightmap=spikes", "view_angle=95"}), Error);
-    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-}
-
-TEST(Overrides, ThatChangeNoCellThatIsLeftSaySo) {
-    const std::string text =
-        with(R"("axes": {"heightmap": "rock", "sample_count": [8, 16]})", R"(["plain", "march", "mesh"])");
-    EXPECT_EQ(warnings_of(text, {"sample_count=9", "max_steps=40"}),
-              "warning: -a sample_count=9: no cell that is left has a value given here: sample_count is 40 "
-              "there, as the axis 'max_steps' goes before it\n");
-    EXPECT_EQ(warnings_of(text, {"factor=4"}, {"technique=march"}),
-              "warning: -a factor=4: no cell that is left has a value given here: no technique that is left "
-              "has a parameter 'factor'\n");
-    EXPECT_THAT(
-        warnings_of(text, {"distance=2", "projection=parallel"}),
-        HasSubstr("-a distance=2: no cell that is left has a value given here: no view that is left has a use"));
-    EXPECT_THAT(warnings_of(text, {"sample_count=9"}, {"technique=mesh"}),
-                HasSubstr("no technique that is left has a sample count"));
-    EXPECT_EQ(warnings_of(text, {"factor=4", "sample_count=16", "view_angle=0,60", "heightmap=bricks"}), "");
-    EXPECT_EQ(warnings_of(text, {"technique=march"}), "");
-}
-
-TEST(Overrides, OfAnUnknownAxisSayWhatItIsCalledHere) {
-    const std::string text = with(R"("axes": {"heightmap": "rock"})", R"(["march"])");
-    struct Word {
-        const char* override;
-        const char* answer;
-    };
-    const Word words[] = {
-        {"samples=8", "called sample_count"},
-        {"steps=8", "called sample_count"},
-        {"layers=8", "called sample_count"},
-        {"angle=8", "called view_angle or azimuth"},
-        {"size=8", "called heightmap_size or resolution"},
-        {"depth=8", "called height_scale or depth_write"},
-        {"Shadows=hard", "called self_shadow"},
-        {"rounds=8", "--sampling rounds=..."},
-        {"lighting=8", "stands in a configuration beside its axes"},
-        {"tilling=8", "did you mean 'tiling'"},
-        {"qwertz=8", "`reliefbench list axes`"},
-    };
-    for (const Word& word : words)
-        EXPECT_THAT(message_of(text, {word.override}), HasSubstr(word.answer)) << word.override;
-    EXPECT_THAT(
-        error_message([&] { filter_cells(expand(parse(text), fake_techniques()), {"samples=8"}, fake_techniques()); }),
-        HasSubstr("called sample_count"));
-}
-
 TEST(Sampling, IsSetByName) {
     Configuration configuration = parse(with(R"("axes": {"heightmap": "rock"})", R"(["plain"])"));
     set_sampling(configuration, {"rule=fixed,rounds=3", "warm_up=0"});
@@ -405,14 +234,6 @@ TEST(Sampling, IsSetByName) {
     EXPECT_THAT(message("rule=precision"), HasSubstr("expected at least 6 rounds"));
     EXPECT_THAT(message("rounds=many"), HasSubstr("expected an integer"));
     EXPECT_THAT(message("rounds"), HasSubstr("expected name=value"));
-}
-
-TEST(Overrides, OfTechniquesKeepTheParametersOfThoseSelectedBefore) {
-    const std::string text = with(R"("axes": {"heightmap": "rock"})",
-                                  R"(["plain", {"technique": "tree", "parameters": {"leaf": "linear"}}])");
-    EXPECT_THAT(ids(parse(text, {"technique=tree,mesh"})),
-                ElementsAre("tree leaf=linear | heightmap=rock", "mesh | heightmap=rock"));
-    EXPECT_THAT(message_of(text, {"technique=tre"}), HasSubstr("-a technique=tre: technique: unknown technique 'tre'"));
 }
 
 TEST(Configuration, ReadsBackFromWhatIsWrittenToRunJson) {
@@ -433,148 +254,6 @@ TEST(Configuration, ReadsBackFromWhatIsWrittenToRunJson) {
     EXPECT_EQ(second.lighting.fog->start, Fog{}.start);
     run["configuration"]["seed"] = "x";
     EXPECT_THAT(message_of(run.dump()), HasSubstr("test.json: $.configuration.seed"));
-}
-
-/// A folder of its own with height map files (nothing reads them here), and a working directory beside it.
-class ConfigurationFiles : public testing::Test {
-protected:
-    ConfigurationFiles() : before_(fs::current_path()) {
-        for (const char* folder : {"configs/maps", "here", "other"})
-            fs::create_directories(root_ / folder);
-        for (const char* file : {"configs/here.png", "configs/both.png", "configs/maps/deep.png", "here/both.png",
-                                 "here/there.png", "other/both.png", "here/skin.jpg"}) {
-            write_text_file(root_ / file, "not read");
-        }
-        fs::current_path(root_ / "here");
-    }
-    ~ConfigurationFiles() override { fs::current_path(before_); }
-
-    Configuration read(const std::string& heightmap, const std::vector<std::string>& overrides = {}) {
-        const std::string text = with(R"("axes": {"heightmap": )" + heightmap + "}", R"(["plain"])");
-        write_text_file(root_ / "configs" / "test.json", text);
-        const std::filesystem::path file = root_ / "configs" / "test.json";
-        return parse_configuration(read_json_file(file), file.string(), overrides, fake_techniques());
-    }
-    std::string source(const Configuration& configuration) {
-        return expand(configuration, fake_techniques()).front().view.height_map.name;
-    }
-
-    const fs::path before_;
-    const TemporaryFolder root_;
-};
-
-TEST_F(ConfigurationFiles, AreSoughtBesideTheConfigurationThenInTheWorkingDirectory) {
-    EXPECT_EQ(source(read(R"("here.png")")), (root_ / "configs/here.png").string());
-    EXPECT_EQ(source(read(R"("maps/deep.png")")), (root_ / "configs/maps/deep.png").string());
-    EXPECT_EQ(source(read(R"("both.png")")), (root_ / "configs/both.png").string());
-    EXPECT_EQ(source(read(R"("there.png")")), (root_ / "here/there.png").string());
-    EXPECT_EQ(source(read(R"({"file": "../here/both.png"})")), (root_ / "here/both.png").string());
-    EXPECT_THROW(read(R"("nowhere.png")"), Error);
-}
-
-TEST_F(ConfigurationFiles, OfOverridesAreSoughtInTheWorkingDirectory) {
-    EXPECT_EQ(source(read(R"("rock")", {"heightmap=both.png"})), (root_ / "here/both.png").string());
-    EXPECT_THROW(read(R"("rock")", {"heightmap=here.png"}), Error);
-}
-
-TEST_F(ConfigurationFiles, AreCalledByTheirBaseNameAndHowTheyAreRead) {
-    const Configuration configuration = read(R"(["there.png", {"file": "there.png", "channel": 2, "invert": true},
-        {"file": "there.png", "normalize": true}, {"file": "there.png", "height_range": [0.1, 2], "albedo": "skin.jpg"}])");
-    EXPECT_THAT(ids(configuration),
-                ElementsAre("plain | heightmap=there.png", "plain | heightmap=there.png+channel=2+invert",
-                            "plain | heightmap=there.png+normalize",
-                            "plain | heightmap=there.png+height_range=0.1:2+albedo=skin.jpg"));
-    const std::vector<Cell> cells = expand(configuration, fake_techniques());
-    EXPECT_TRUE(cells[1].view.height_map.invert);
-    EXPECT_EQ(cells[1].view.height_map.channel, "2");
-    EXPECT_EQ(cells[3].view.height_map.albedo, (root_ / "here/skin.jpg").string());
-    EXPECT_EQ(axes_to_json(cells[0].view)["heightmap_size"], Json());
-    // Asked for by base name, all readings of the file answer.
-    EXPECT_EQ(filter_cells(cells, {"heightmap=there.png"}, fake_techniques()).size(), 4U);
-    EXPECT_EQ(filter_cells(cells, {"heightmap=there.png+normalize"}, fake_techniques()).size(), 1U);
-    EXPECT_EQ(read(configuration.expanded["axes"]["heightmap"].dump()).expanded, configuration.expanded);
-}
-
-TEST_F(ConfigurationFiles, SayHowTheyAreRead) {
-    const Configuration configuration = read(R"([
-        {"file": "there.png", "part": "height", "channel": "Z"}, {"file": "there.png", "part": 1, "channel": 0},
-        {"file": "there.png", "packing": "rg16", "nodata": -32768, "fill": 0.5},
-        {"file": "there.png", "size": "8x4", "sample_type": "int16", "byte_order": "big"},
-        {"file": "there.png", "size": 4}])");
-    EXPECT_THAT(ids(configuration),
-                ElementsAre("plain | heightmap=there.png+part=height+channel=Z", "plain | heightmap=there.png+part=1",
-                            "plain | heightmap=there.png+packing=rg16+nodata=-32768+fill=0.5",
-                            "plain | heightmap=there.png+size=8x4+sample_type=int16+byte_order=big",
-                            "plain | heightmap=there.png+size=4x4"));
-    const std::vector<Cell> cells = expand(configuration, fake_techniques());
-    EXPECT_EQ(cells[2].view.height_map.packing, Packing::rg16);
-    ASSERT_TRUE(cells[3].view.height_map.raw);
-    EXPECT_EQ(*cells[3].view.height_map.raw,
-              (RawLayout{.size = {8, 4}, .sample_type = RawLayout::SampleType::int16, .big_endian = true}));
-    EXPECT_EQ(cells[3].view.height_map.size, HeightMapSource{}.size);
-    EXPECT_EQ(read(configuration.expanded["axes"]["heightmap"].dump()).expanded, configuration.expanded);
-}
-
-TEST_F(ConfigurationFiles, TakeNoCopyPerHeightMapSize) {
-    EXPECT_THAT(ids(read(R"(["there.png", "rock"])", {"heightmap_size=64,128"})),
-                ElementsAre("plain | heightmap=there.png", "plain | heightmap=rock heightmap_size=64x64",
-                            "plain | heightmap=rock heightmap_size=128x128"));
-}
-
-TEST_F(ConfigurationFiles, OfOneBaseNameCannotBeToldApart) {
-    EXPECT_THAT(error_message([&] { ids(read(R"(["both.png", "../other/both.png"])")); }),
-                AllOf(HasSubstr("configs/both.png"), HasSubstr("other/both.png"), HasSubstr("rename")));
-}
-
-TEST_F(ConfigurationFiles, OfAlbedosAreAnAxisAndPartOfTheMapsName) {
-    const std::string own = R"({"name": "rock", "albedo": "both.png"})";
-    const auto albedo = [&](const std::string& heightmap, const std::vector<std::string>& overrides) {
-        return expand(read(heightmap, overrides), fake_techniques()).front().view.height_map.albedo;
-    };
-    const auto names = [](const std::vector<Cell>& cells) {
-        std::vector<std::string> found;
-        for (const Cell& cell : cells)
-            found.push_back(cell.id);
-        return found;
-    };
-    EXPECT_EQ(albedo(R"("rock")", {"albedo=skin.jpg"}), (root_ / "here/skin.jpg").string());
-    EXPECT_EQ(albedo(own, {}), (root_ / "configs/both.png").string());
-    EXPECT_EQ(albedo(own, {"albedo=skin.jpg"}), (root_ / "here/skin.jpg").string()) << "what is asked for last";
-    EXPECT_EQ(albedo(own, {"albedo=none"}), "");
-    for (const auto& both : {std::vector<std::string>{"albedo=none", "heightmap=" + own},
-                             std::vector<std::string>{"heightmap=" + own, "albedo=none"}})
-        EXPECT_THAT(error_message([&] { read(R"("rock")", both); }), HasSubstr("give either that or the axis albedo"));
-    const std::vector<Cell> cells =
-        expand(read(R"(["rock", "both.png"])", {"albedo=none,skin.jpg"}), fake_techniques());
-    EXPECT_THAT(names(cells), ElementsAre("plain | heightmap=rock", "plain | heightmap=rock+albedo=skin.jpg",
-                                          "plain | heightmap=both.png", "plain | heightmap=both.png+albedo=skin.jpg"));
-    EXPECT_THAT(names(filter_cells(cells, {"albedo=skin.jpg", "heightmap=rock"}, fake_techniques())),
-                ElementsAre("plain | heightmap=rock+albedo=skin.jpg"));
-    EXPECT_FALSE(axes_to_json(cells[1].view).contains("albedo"));
-    EXPECT_THAT(error_message([&] { read(R"("rock")", {"albedo=gone.png"}); }),
-                AllOf(HasSubstr("-a albedo=gone.png"), HasSubstr("no file 'gone.png'")));
-}
-
-TEST_F(ConfigurationFiles, OfAPipeAreTakenFromTheWorkingDirectory) {
-    const Json json = parse_json(with(R"("axes": {"heightmap": "both.png"})", R"(["plain"])"), "test");
-    for (const char* file : {"standard input", "/dev/stdin", "/dev/fd/63", "/proc/self/fd/0"}) {
-        const Configuration configuration = parse_configuration(json, file, {}, fake_techniques());
-        EXPECT_EQ(source(configuration), (root_ / "here/both.png").string()) << file;
-        EXPECT_EQ(configuration.name, "configuration") << file;
-    }
-}
-
-TEST_F(ConfigurationFiles, WithCommasAndBracketsAreWrittenAsJson) {
-    const std::string name = "sp ace, [x]=d|\u00e9<i>.png";
-    write_text_file(root_ / "here" / name, "not read");
-    const std::string quoted = "[" + Json(name).dump() + "]";
-    const Configuration configuration = read(R"("rock")", {"heightmap=" + quoted});
-    EXPECT_EQ(source(configuration), (root_ / "here" / name).string());
-    const std::vector<Cell> cells = expand(configuration, fake_techniques());
-    EXPECT_EQ(filter_cells(cells, {"heightmap=" + quoted}, fake_techniques()).size(), 1U);
-    EXPECT_EQ(filter_cells(cells, {"heightmap=rock," + quoted}, fake_techniques()).size(), 1U);
-    EXPECT_THAT(error_message([&] { filter_cells(cells, {"heightmap!=" + quoted}, fake_techniques()); }),
-                HasSubstr("no cell"));
 }
 
 }  // namespace
