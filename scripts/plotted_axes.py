@@ -14,11 +14,11 @@ SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 def reads_written_out(value):
     """Where nobody would count the zeros it does not."""
-    return value == 0 or 0.99e-4 < abs(value) < 0.99e7
+    return value == 0 or 0.99e-6 < abs(value) < 0.99e7
 
 
 def tick_texts(values):
-    """Of one axis, all in one form: 0.03, 1024 or, where one of them does not read written out, 3·10⁻², 10⁻⁵."""
+    """Of one axis, all in one form: 0.03, 1024 or, where one of them does not read written out, 3·10⁻², 10⁻⁷."""
     written_out = all(map(reads_written_out, values))
     return [tick_text(value, written_out) for value in values]
 

@@ -71,11 +71,11 @@ const superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 /** Where nobody would count the zeros it does not. */
 function readsWrittenOut(value: number): boolean {
   const size = Math.abs(value);
-  return size === 0 || (size > 0.99e-4 && size < 0.99e7);
+  return size === 0 || (size > 0.99e-6 && size < 0.99e7);
 }
 
 /**
- * 0.03, 1024; 10⁻⁵, 3·10⁷ where the value does not read written out, or one of the others at its axis does not: all of an
+ * 0.03, 1024; 10⁻⁷, 3·10⁷ where the value does not read written out, or one of the others at its axis does not: all of an
  * axis have one form.
  */
 export function tickText(value: number, ofAxis: readonly number[] = [value]): string {

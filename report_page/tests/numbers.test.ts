@@ -61,21 +61,21 @@ test("what is better the higher it is has a linear axis with a place for infinit
 });
 
 test("numbers at axes are written out, and as powers of ten only where that is shorter", () => {
-  assert.deepEqual([0.03, 1024, 16384, 0.0001, -0.5, 0].map((value) => tickText(value)), [
+  assert.deepEqual([0.03, 1024, 16384, 0.00001, -0.5, 0].map((value) => tickText(value)), [
     "0.03",
     "1024",
     "16384",
-    "0.0001",
+    "0.00001",
     "−0.5",
     "0",
   ]);
-  const decades = [1e-5, 0.0001, 0.5, 1];
+  const decades = [1e-7, 0.0001, 0.5, 1];
   assert.deepEqual(
     decades.map((value) => tickText(value, decades)),
-    ["10⁻⁵", "10⁻⁴", "5·10⁻¹", "10⁰"],
+    ["10⁻⁷", "10⁻⁴", "5·10⁻¹", "10⁰"],
     "all of an axis have one form",
   );
-  assert.deepEqual([1e-5, 3e-6, 1e7, 2.5e8].map((value) => tickText(value)), ["10⁻⁵", "3·10⁻⁶", "10⁷", "2.5·10⁸"]);
+  assert.deepEqual([1e-7, 3e-8, 1e7, 2.5e8].map((value) => tickText(value)), ["10⁻⁷", "3·10⁻⁸", "10⁷", "2.5·10⁸"]);
 });
 
 test("every axis has at least two round numbers, and not too many", () => {
