@@ -2,6 +2,7 @@
 #include "cli/results.hpp"
 #include "cli/shared_options.hpp"
 #include "core/error.hpp"
+#include "core/json_lookup.hpp"
 #include "core/suggest.hpp"
 #include "report/text_layout.hpp"
 #include "scene/image_file.hpp"

@@ -21,6 +21,7 @@
 #include "report/run_format.hpp"
 #include "store/resume.hpp"
 #include "store/run_folder.hpp"
+#include "store/stored_format.hpp"
 #include "technique/map_cache.hpp"
 
 #include <fmt/format.h>
@@ -63,6 +64,10 @@ struct OpenedRun {
 /// Goes on with the run in the folder, as far as it is the same one.
 OpenedRun resume_run(const std::filesystem::path& folder, const Json& now, bool force) {
     const Json recorded = read_run_record(folder);
+    if (const int format = format_of(JsonView(recorded, folder.string())); format != stored_run_format) {
+        fail("{} cannot be resumed: its files have format {}, and this version writes {}; choose another -o",
+             folder.string(), format, stored_run_format);
+    }
     const std::vector<std::string> differences = resume_differences(recorded, now);
     if (!differences.empty() && !force) {
         fail(

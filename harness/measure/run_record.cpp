@@ -2,7 +2,10 @@
 
 #include "core/statistics.hpp"
 #include "gpu/device.hpp"
+#include "manifest/parameter_json.hpp"
 #include "store/environment.hpp"
+#include "store/stored_format.hpp"
+#include "sweep/view_axes.hpp"
 #include "technique/renderer.hpp"
 #include "technique/source_identity.hpp"
 
@@ -27,16 +30,33 @@ Json device_record(const gpu::DeviceInfo& info) {
     return json;
 }
 
-Json technique_hashes(const TechniqueLibrary& library, const std::vector<Cell>& cells) {
+std::set<std::string> techniques_of(const std::vector<Cell>& cells) {
     std::set<std::string> ids;
-    for (const Cell& cell : cells) {
+    for (const Cell& cell : cells)
         ids.insert(cell.technique);
-    }
+    return ids;
+}
+
+Json technique_hashes(const TechniqueLibrary& library, const std::vector<Cell>& cells) {
     Json json = Json::object();
-    for (const std::string& id : ids) {
+    for (const std::string& id : techniques_of(cells))
         json[id] = library.get(id).hash;
-    }
     return json;
+}
+
+/// What ids leave out.
+Json defaults_record(const TechniqueLibrary& library, const std::vector<Cell>& cells) {
+    Json parameters = Json::object();
+    for (const std::string& id : techniques_of(cells)) {
+        parameters[id] = Json::object();
+        for (const Parameter& parameter : library.get(id).manifest.parameters)
+            parameters[id][parameter.name] = to_json(parameter.default_value);
+    }
+    Json axes = Json::object();
+    for (const ViewAxis& axis : view_axes()) {
+        if (!axis.part_of_height_map) axes[axis.name] = axis.default_value;
+    }
+    return {{"parameters", std::move(parameters)}, {"axes", std::move(axes)}};
 }
 
 Json height_map_records(const std::vector<HeightMapRecord>& maps) {
@@ -80,6 +100,7 @@ Json empty_pass_record(const gpu::Device& device) {
 
 Json make_run_record(const RunSubject& subject) {
     Json record;
+    record["format"] = stored_run_format;
     record["configuration"] = subject.configuration.expanded;
     record["environment"] = environment_to_json();
     record["environment"]["shared_device"] = subject.shares_device;
@@ -87,6 +108,7 @@ Json make_run_record(const RunSubject& subject) {
     record["techniques"] = technique_hashes(subject.library, subject.cells);
     record["shaders"] = hash_shared_shaders(shader_root());
     record["source_hashes"] = hashes_of_included_files;
+    record["defaults"] = defaults_record(subject.library, subject.cells);
     record["height_maps"] = height_map_records(subject.height_maps);
     record["empty_pass"] = empty_pass_record(subject.device);
     record["filter_deviation"] = filter_deviations(subject.device, subject.height_maps);

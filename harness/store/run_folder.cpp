@@ -6,6 +6,7 @@
 #include "core/hash.hpp"
 #include "store/crashes.hpp"
 #include "store/parsed_lines.hpp"
+#include "store/stored_format.hpp"
 
 #include <cctype>
 #include <cerrno>
@@ -82,6 +83,7 @@ constexpr std::int64_t most_shards = 1000000;
 /// What readers of stored runs look up without asking for its type. Records of other versions lack some.
 void check_run_record(const JsonView& record) {
     if (!record.json().is_object()) record.fail_expected("an object");
+    format_of(record);
     if (record.has("environment") && record.at("environment").has("time")) {
         record.at("environment").at("time").string();
     }

@@ -1,5 +1,6 @@
 #include "store/view_variants.hpp"
 
+#include "core/json_lookup.hpp"
 #include "sweep/view_axes.hpp"
 
 #include <algorithm>

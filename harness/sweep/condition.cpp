@@ -1,5 +1,6 @@
 #include "sweep/condition.hpp"
 
+#include "core/json_lookup.hpp"
 #include "core/suggest.hpp"
 #include "manifest/parameter_json.hpp"
 #include "sweep/configuration_keys.hpp"

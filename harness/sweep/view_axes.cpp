@@ -1,5 +1,6 @@
 #include "sweep/view_axes.hpp"
 
+#include "core/json_lookup.hpp"
 #include "core/suggest.hpp"
 #include "sweep/axis_kinds.hpp"
 #include "sweep/height_map_value.hpp"
@@ -276,12 +277,6 @@ std::string view_id(const ViewKey& view) {
         id += axis.name + '=' + scalar_text(value);
     }
     return id;
-}
-
-std::string scalar_text(const Json& scalar) {
-    if (scalar.is_string()) return scalar.get<std::string>();
-    if (scalar.is_number_float()) return fmt::format("{}", scalar.get<double>());
-    return scalar.dump();
 }
 
 }  // namespace reliefbench

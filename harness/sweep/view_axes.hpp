@@ -68,7 +68,4 @@ ViewKey make_view(const std::vector<ViewChoice>& choices);
 /// The view's part of a cell's id: "heightmap=bricks view_angle=60".
 std::string view_id(const ViewKey& view);
 
-/// A scalar as ids write it: numbers in the shortest form that reads back equal.
-std::string scalar_text(const Json& scalar);
-
 }  // namespace reliefbench
