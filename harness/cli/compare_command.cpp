@@ -4,6 +4,7 @@
 #include "cli/recorded_noise.hpp"
 #include "cli/run_sides.hpp"
 #include "cli/stored_runs.hpp"
+#include "compare/common_ids.hpp"
 #include "compare/compare_runs.hpp"
 #include "compare/pair_runs.hpp"
 
@@ -30,7 +31,8 @@ ExitCode compare(const CompareCommandOptions& options) {
     // Together, so that a run on both sides is found.
     std::vector<std::string> folders = sides.base;
     folders.insert(folders.end(), sides.changed.begin(), sides.changed.end());
-    const std::vector<StoredRun> runs = read_stored_runs(folders);
+    std::vector<StoredRun> runs = read_stored_runs(folders);
+    give_common_ids(runs);
     const std::span<const StoredRun> all(runs);
     const auto base = all.first(sides.base.size());
     const auto changed = all.subspan(sides.base.size());

@@ -4,6 +4,7 @@
 #include "cli/stored_runs.hpp"
 #include "cli/terminal.hpp"
 #include "cli/threshold.hpp"
+#include "compare/common_ids.hpp"
 #include "compare/history.hpp"
 #include "core/counted.hpp"
 #include "core/error.hpp"
@@ -54,6 +55,7 @@ ExitCode show_history(const HistoryCommandOptions& options) {
     HistoryOptions history_options;
     history_options.minimum_effect = parse_threshold(options.threshold, "--threshold");
     std::vector<StoredRun> runs = read_stored_runs(options.folders);
+    give_common_ids(runs);
     keep_cells(runs, options.cells);
     warn_of_disorder(runs);
     if (runs.size() < fewest_runs) {

@@ -7,6 +7,7 @@
 #include "cli/results.hpp"
 #include "cli/run_sides.hpp"
 #include "cli/stored_runs.hpp"
+#include "compare/common_ids.hpp"
 #include "compare/compare_runs.hpp"
 #include "core/counted.hpp"
 #include "core/error.hpp"
@@ -44,7 +45,15 @@ std::vector<std::string> all_folders(const ReportOptions& options, const std::op
 }
 
 /// Runs that cannot be compared (of different devices, say) still make a report, which says so.
-PageComparison compare_sides(const std::vector<StoredRun>& runs, std::size_t bases, const CompareOptions& options) {
+PageComparison compare_sides(const std::vector<StoredRun>& stored, std::size_t bases, const CompareOptions& options) {
+    // Samples and pictures are found by the ids that the folders have.
+    const bool renames = has_other_defaults(stored);
+    std::vector<StoredRun> renamed;
+    if (renames) {
+        renamed = stored;
+        give_common_ids(renamed);
+    }
+    const std::vector<StoredRun>& runs = renames ? renamed : stored;
     PageComparison result;
     for (std::size_t run = 0; run < runs.size(); ++run) {
         (run < bases ? result.base : result.changed).push_back(runs[run].name);

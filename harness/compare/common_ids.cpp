@@ -1,0 +1,101 @@
+#include "compare/common_ids.hpp"
+
+#include "core/json_lookup.hpp"
+#include "store/stored_format.hpp"
+
+#include <algorithm>
+#include <string>
+#include <unordered_set>
+#include <utility>
+
+namespace reliefbench {
+
+namespace {
+
+std::vector<const StoredRun*> from_oldest_to_newest(std::span<const StoredRun> runs) {
+    std::vector<const StoredRun*> order;
+    for (const StoredRun& run : runs)
+        order.push_back(&run);
+    const auto time = [](const StoredRun* run) { return text_of(value_at(run->run.run, {"environment", "time"})); };
+    std::ranges::stable_sort(order, {}, time);
+    return order;
+}
+
+/// Of each technique, and of the axes, as the newest run has them that records them; null where none does.
+Json newest_defaults(std::span<const StoredRun> runs) {
+    Json newest;
+    for (const StoredRun* run : from_oldest_to_newest(runs)) {
+        const Json recorded = value_at(run->run.run, {"defaults"});
+        if (!recorded.is_object()) continue;
+        newest["axes"] = value_at(recorded, {"axes"});
+        const Json techniques = value_at(recorded, {"parameters"});
+        if (!techniques.is_object()) continue;
+        for (const auto& [technique, parameters] : techniques.items())
+            newest["parameters"][technique] = parameters;
+    }
+    return newest;
+}
+
+/// " name=value" of each member that is not at its default, in the defaults' order; then of those that the defaults do
+/// not know and `own`, those of the cell's run, do not explain.
+void append_members(std::string& text, const Json& members, const Json& defaults, const Json& own) {
+    const auto append = [&text](const std::string& name, const Json& value) {
+        text += ' ' + name + '=' + scalar_text(value);
+    };
+    for (const auto& [name, default_value] : defaults.items()) {
+        const auto member = members.find(name);
+        if (member == members.end() || member->is_null() || *member == default_value) continue;
+        append(name, *member);
+    }
+    for (const auto& [name, value] : members.items()) {
+        if (defaults.contains(name) || value.is_null() || value_at(own, {name.c_str()}) == value) continue;
+        append(name, value);
+    }
+}
+
+/// Empty where the defaults do not tell.
+std::string common_id(const CellResult& cell, const Json& defaults, const Json& own) {
+    const Json parameters = value_at(defaults, {"parameters", cell.technique.c_str()});
+    const Json axes = value_at(defaults, {"axes"});
+    for (const Json* object : {&parameters, &axes, &cell.parameters, &cell.axes}) {
+        if (!object->is_object()) return {};
+    }
+    std::string technique = cell.technique;
+    append_members(technique, cell.parameters, parameters, value_at(own, {"parameters", cell.technique.c_str()}));
+    std::string view;
+    append_members(view, cell.axes, axes, value_at(own, {"axes"}));
+    return technique + " |" + view;
+}
+
+}  // namespace
+
+bool has_other_defaults(std::span<const StoredRun> runs) {
+    const Json newest = newest_defaults(runs);
+    if (newest.is_null()) return false;
+    return std::ranges::any_of(runs, [&](const StoredRun& run) {
+        const Json own = value_at(run.run.run, {"defaults"});
+        if (!own.is_object() || value_at(own, {"axes"}) != value_at(newest, {"axes"})) return true;
+        const Json techniques = value_at(own, {"parameters"});
+        if (!techniques.is_object()) return true;
+        return std::ranges::any_of(techniques.items(), [&](const auto& item) {
+            return value_at(newest, {"parameters", item.key().c_str()}) != item.value();
+        });
+    });
+}
+
+void give_common_ids(std::span<StoredRun> runs) {
+    if (!has_other_defaults(runs)) return;
+    const Json newest = newest_defaults(runs);
+    for (StoredRun& run : runs) {
+        const Json own = defaults_of(run.run);
+        std::unordered_set<std::string> ids;
+        for (CellResult& cell : run.run.cells) {
+            std::string id = common_id(cell, newest, own);
+            // Where a run was resumed by force by another version, two of its cells may be the same now: each keeps its
+            // own id then.
+            if (!id.empty() && ids.insert(id).second) cell.cell = std::move(id);
+        }
+    }
+}
+
+}  // namespace reliefbench
