@@ -2,7 +2,10 @@
 
 #include "core/json.hpp"
 #include "core/log.hpp"
+#include "store/run_folder.hpp"
+#include "store/stored_format.hpp"
 #include "sweep/override_effects.hpp"
+#include "sweep/recorded_defaults.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -51,6 +54,25 @@ std::vector<std::string> absolute_paths(const std::vector<std::string>& director
     return paths;
 }
 
+/// Of the run whose run.json this is; cells tell where the record does not.
+Json recorded_defaults(const Json& record, const std::filesystem::path& file) {
+    Run run{.run = record, .cells = {}};
+    std::error_code ignored;
+    const std::filesystem::path folder = file.parent_path();
+    if (!record.contains("defaults") && std::filesystem::exists(folder / "cells.jsonl", ignored))
+        run = read_run(folder);
+    return defaults_of(run);
+}
+
+void repeat_with_defaults_of_then(Json& record, const std::filesystem::path& file,
+                                  const std::vector<Manifest>& manifests) {
+    RepeatedConfiguration repeated =
+        with_recorded_defaults(record.at("configuration"), recorded_defaults(record, file), manifests);
+    record["configuration"] = std::move(repeated.configuration);
+    for (const std::string& change : repeated.changes)
+        log_warning("{}: repeated as it was run, with {}", file.string(), change);
+}
+
 /// Warns of technique folders that cannot be used. One that the configuration names is an Error.
 void report_broken_techniques(const TechniqueLibrary& library, const std::vector<std::string>& named) {
     for (const auto& [id, message] : library.broken) {
@@ -65,7 +87,7 @@ void report_broken_techniques(const TechniqueLibrary& library, const std::vector
 
 RunSources read_run_sources(const ConfigurationText& text, const CellChoice& choice,
                             const TechniqueOptions& techniques) {
-    const Json file = parse_json(text.text, text.file);
+    Json file = parse_json(text.text, text.file);
     const bool is_record = file.is_object() && file.contains("configuration");
     const Json& configuration = is_record ? file.at("configuration") : file;
 
@@ -73,6 +95,7 @@ RunSources read_run_sources(const ConfigurationText& text, const CellChoice& cho
     std::vector<std::string> directories = techniques.directories;
     if (is_record) {
         const JsonView record(file, text.file);
+        format_of(record);
         sources.filters = recorded_strings(record, "filters");
         const std::vector<std::string> recorded = recorded_strings(record, "technique_directories");
         directories.insert(directories.end(), recorded.begin(), recorded.end());
@@ -89,6 +112,7 @@ RunSources read_run_sources(const ConfigurationText& text, const CellChoice& cho
     }
     report_broken_techniques(sources.library, named);
     const std::vector<Manifest> manifests = sources.library.manifests();
+    if (is_record) repeat_with_defaults_of_then(file, text.file, manifests);
     sources.configuration = parse_configuration(file, text.file, choice.axes, manifests);
     sources.cells = filter_cells(expand(sources.configuration, manifests), sources.filters, manifests);
     warn_of_overrides(sources.configuration, sources.cells, manifests);

@@ -112,30 +112,43 @@ TEST_F(Version010, ARunStandsInAHistory) {
     EXPECT_THAT(outcome.code, testing::AnyOf(0, 3)) << outcome.err;
 }
 
-TEST_F(Version010, ARunIsNotResumedByAnotherVersion) {
+TEST_F(Version010, ARunIsNotResumedInAnotherFormat) {
     std::filesystem::copy(fixture("all"), path("all"), std::filesystem::copy_options::recursive);
     const std::string before = read_file(path("all/cells.jsonl"));
-    const Outcome outcome = reliefbench({"run", path("all/run.json"), "-o", path("all"), "--resume"});
+    const Outcome outcome = reliefbench({"run", path("all/run.json"), "-o", path("all"), "--resume=force"});
     EXPECT_EQ(outcome.code, 2) << outcome.out;
-    EXPECT_THAT(outcome.err, HasSubstr("shader")) << "names what is not the same";
+    EXPECT_THAT(outcome.err, HasSubstr("its files have format 1, and this version writes 2"));
     EXPECT_EQ(read_file(path("all/cells.jsonl")), before);
 }
 
-TEST_F(Version010, ARunIsRepeatedFromItsRecord) {
-    succeed({"run", fixture("all/run.json"), "--filter", "technique=pom,qdm", "-o", path("again")});
-    const auto ids = [](const std::string& file) {
-        std::set<std::string> found;
-        for (const Json& line : read_lines(file)) {
-            const auto technique = line.at("technique").get<std::string>();
-            if (technique == "pom" || technique == "qdm") found.insert(line.at("cell").get<std::string>());
-        }
-        return found;
-    };
-    EXPECT_EQ(ids(path("again/cells.jsonl")), ids(fixture("all/cells.jsonl")));
+TEST_F(Version010, ARunIsRepeatedFromItsRecordWithTheDefaultsOfThen) {
+    const Outcome repeated =
+        succeed({"run", fixture("all/run.json"), "--filter", "technique=pom,qdm,steep", "-o", path("again")});
+    EXPECT_THAT(repeated.err,
+                HasSubstr("repeated as it was run, with steep: step_rounding=integer, which is fractional "
+                          "by default now"));
     const Outcome quality = reliefbench({"compare", "--quality", fixture("all"), path("again")});
     EXPECT_THAT(quality.out,
                 AllOf(HasSubstr("one side has no image.footprint.flip, so image.flip decides in its place"),
-                      HasSubstr(" better, "), Not(HasSubstr("not comparable"))));
+                      HasSubstr("8 cells compared; quality: 0 worse, 0 mixed, 0 better, 8 same"),
+                      Not(HasSubstr("not comparable"))));
+}
+
+/// Since then a default changed (step_rounding) and axes and parameters were added: what is the same is compared
+/// whatever its id says, and what is not is not.
+TEST_F(Version010, ARunIsComparedCellByCellWithARunOfToday) {
+    succeed({"run", fixture("all/run.json"), "-a", "technique=steep,pom", "-a", "step_rounding=integer,fractional",
+             "-a", "view_angle=0", "-a", "projection=perspective", "-o", path("today")});
+    for (const auto& [base, changed] :
+         {std::pair(fixture("all"), path("today")), std::pair(path("today"), fixture("all"))}) {
+        const Json comparison =
+            Json::parse(reliefbench({"compare", "--quality", base, changed, "--format", "json"}).out);
+        std::set<std::string> compared;
+        for (const Json& cell : comparison.at("cells"))
+            compared.insert(cell.at("cell").get<std::string>());
+        const std::string view = " | heightmap=bricks heightmap_size=32x32 resolution=48x48";
+        EXPECT_EQ(compared, (std::set<std::string>{"pom" + view, "steep step_rounding=integer" + view}));
+    }
 }
 
 /// One of each kind, written by the page that described the contract then.
