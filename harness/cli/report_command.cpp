@@ -45,15 +45,7 @@ std::vector<std::string> all_folders(const ReportOptions& options, const std::op
 }
 
 /// Runs that cannot be compared (of different devices, say) still make a report, which says so.
-PageComparison compare_sides(const std::vector<StoredRun>& stored, std::size_t bases, const CompareOptions& options) {
-    // Samples and pictures are found by the ids that the folders have.
-    const bool renames = has_other_defaults(stored);
-    std::vector<StoredRun> renamed;
-    if (renames) {
-        renamed = stored;
-        give_common_ids(renamed);
-    }
-    const std::vector<StoredRun>& runs = renames ? renamed : stored;
+PageComparison compare_sides(const std::vector<StoredRun>& runs, std::size_t bases, const CompareOptions& options) {
     PageComparison result;
     for (std::size_t run = 0; run < runs.size(); ++run) {
         (run < bases ? result.base : result.changed).push_back(runs[run].name);
@@ -68,30 +60,65 @@ PageComparison compare_sides(const std::vector<StoredRun>& stored, std::size_t b
     return result;
 }
 
+/// What a run's folder has beside its cells, by the ids that the folder has.
+struct FolderContent {
+    std::vector<std::string> ids;
+    std::optional<Json> summary;
+    RunSamples samples;
+    CellPictures pictures;
+};
+
+std::vector<FolderContent> read_contents(const std::vector<StoredRun>& stored, double picture_megabytes,
+                                         PagePictures& pictures) {
+    constexpr double bytes_per_megabyte = 1e6;
+    const auto max_bytes = static_cast<std::size_t>(picture_megabytes * bytes_per_megabyte);
+    std::vector<FolderContent> contents;
+    for (std::size_t at = 0; at < stored.size(); ++at) {
+        // Runs share the room, so that the first does not take it all.
+        const std::size_t room = max_bytes * (at + 1) / stored.size();
+        const StoredRun& run = stored[at];
+        contents.push_back(
+            {{}, read_run_summary(run.name), read_run_samples(run.name), collect_pictures(run, room, pictures)});
+        for (const CellResult& cell : run.run.cells)
+            contents.back().ids.push_back(cell.cell);
+        if (const std::size_t left_out = contents.back().pictures.left_out; left_out > 0) {
+            log_warning("{}: the pictures of {} do not fit into {:g} MB; --picture-megabytes makes room", run.name,
+                        counted(left_out, "cell"), picture_megabytes);
+        }
+    }
+    return contents;
+}
+
+/// The samples by the ids that the run's cells have now.
+RunSamples with_common_ids(RunSamples samples, const std::vector<std::string>& ids, const StoredRun& run) {
+    RunSamples renamed;
+    for (auto& [pass, cells] : samples) {
+        for (std::size_t at = 0; at < ids.size(); ++at) {
+            if (auto found = cells.find(ids[at]); found != cells.end())
+                renamed[pass][run.run.cells[at].cell] = std::move(found->second);
+        }
+    }
+    return renamed;
+}
+
 ExitCode report(const ReportOptions& options) {
     check_output_file(options.output, "--output");
     const CompareOptions compare_options = options.comparison.options();
     const std::string page = read_report_page();
 
     const std::optional<RunSides> sides = compared_sides(options.folders);
-    const std::vector<StoredRun> stored = read_stored_runs(all_folders(options, sides));
+    std::vector<StoredRun> stored = read_stored_runs(all_folders(options, sides));
+    PagePictures pictures;
+    std::vector<FolderContent> contents = read_contents(stored, options.picture_megabytes, pictures);
+    give_common_ids(stored);
     std::optional<PageComparison> comparison;
     if (sides) comparison = compare_sides(stored, sides->base.size(), compare_options);
-
-    constexpr double bytes_per_megabyte = 1e6;
-    const auto most_bytes = static_cast<std::size_t>(options.picture_megabytes * bytes_per_megabyte);
-    PagePictures pictures;
     std::vector<PageRun> runs;
     for (std::size_t at = 0; at < stored.size(); ++at) {
-        // Runs share the room, so that the first does not take it all.
-        const std::size_t room = most_bytes * (at + 1) / stored.size();
-        const StoredRun& run = stored[at];
-        runs.push_back(
-            {run, read_run_summary(run.name), read_run_samples(run.name), collect_pictures(run, room, pictures)});
-        if (const std::size_t left_out = runs.back().pictures.left_out; left_out > 0) {
-            log_warning("{}: the pictures of {} do not fit into {:g} MB; --picture-megabytes makes room", run.name,
-                        counted(left_out, "cell"), options.picture_megabytes);
-        }
+        FolderContent& content = contents[at];
+        runs.push_back({stored[at], std::move(content.summary),
+                        with_common_ids(std::move(content.samples), content.ids, stored[at]),
+                        std::move(content.pictures)});
     }
     write_output(options.output, fill_page(page, page_data(runs, pictures.json(), comparison, RELIEFBENCH_VERSION)));
     if (!is_standard_output(options.output)) {

@@ -67,10 +67,8 @@ std::string common_id(const CellResult& cell, const Json& defaults, const Json& 
     return technique + " |" + view;
 }
 
-}  // namespace
-
-bool has_other_defaults(std::span<const StoredRun> runs) {
-    const Json newest = newest_defaults(runs);
+/// Without any all ids stay as they are, and where all are the same they would.
+bool has_other_defaults(std::span<const StoredRun> runs, const Json& newest) {
     if (newest.is_null()) return false;
     return std::ranges::any_of(runs, [&](const StoredRun& run) {
         const Json own = value_at(run.run.run, {"defaults"});
@@ -83,9 +81,11 @@ bool has_other_defaults(std::span<const StoredRun> runs) {
     });
 }
 
+}  // namespace
+
 void give_common_ids(std::span<StoredRun> runs) {
-    if (!has_other_defaults(runs)) return;
     const Json newest = newest_defaults(runs);
+    if (!has_other_defaults(runs, newest)) return;
     for (StoredRun& run : runs) {
         const Json own = defaults_of(run.run);
         std::unordered_set<std::string> ids;

@@ -3,12 +3,8 @@
 #include "compare/stored_run.hpp"
 
 #include <span>
-#include <vector>
 
 namespace reliefbench {
-
-/// Whether runs record other defaults than the newest of them, by which their ids are not to be compared as they are.
-bool has_other_defaults(std::span<const StoredRun> runs);
 
 /// Gives every cell the id that it has by the defaults of the newest run, so that equal cells have equal ids: an axis
 /// or a parameter that a run does not know is left out, as at its default, and one that is no longer the default is
