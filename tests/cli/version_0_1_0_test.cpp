@@ -149,6 +149,14 @@ TEST_F(Version010, ARunIsComparedCellByCellWithARunOfToday) {
         const std::string view = " | heightmap=bricks heightmap_size=32x32 resolution=48x48";
         EXPECT_EQ(compared, (std::set<std::string>{"pom" + view, "steep step_rounding=integer" + view}));
     }
+    const Json history =
+        Json::parse(succeed({"history", fixture("all"), path("today"), "--cell", "steep", "--format", "json"}).out);
+    std::set<std::string> in_both;
+    for (const Json& cell : history.at("cells")) {
+        const Json& ms = cell.at("median_ms");
+        if (!ms.at(0).is_null() && !ms.at(1).is_null()) in_both.insert(cell.at("cell").get<std::string>());
+    }
+    EXPECT_THAT(in_both, testing::ElementsAre(HasSubstr("steep step_rounding=integer | ")));
 }
 
 /// One of each kind, written by the page that described the contract then.
