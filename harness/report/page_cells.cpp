@@ -122,7 +122,7 @@ Json cells_to_columns(const std::vector<CellResult>& cells) {
         add_members(cells[cell].axes, cell, axes);
         add_members(cells[cell].parameters, cell, parameters);
         for (const auto& [path, value] : flat_fields(cells[cell])) {
-            if (path.starts_with("axes.") || path.starts_with("params.")) continue;
+            if (path.starts_with("axes.") || path.starts_with("parameters.")) continue;
             if (std::find(word_fields.begin(), word_fields.end(), path) != word_fields.end()) {
                 words[path].set(cell, value);
             } else if (value.is_number()) {
@@ -138,7 +138,7 @@ Json cells_to_columns(const std::vector<CellResult>& cells) {
     json["id"] = ids;
     json["words"] = to_json(words, cells.size());
     json["axes"] = to_json(axes, cells.size());
-    json["params"] = to_json(parameters, cells.size());
+    json["parameters"] = to_json(parameters, cells.size());
     json["numbers"] = to_json(numbers, cells.size());
     return json;
 }

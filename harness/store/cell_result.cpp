@@ -297,7 +297,7 @@ Json to_json(const CellResult& result) {
     json["cell"] = result.cell;
     json["technique"] = result.technique;
     json["axes"] = result.axes.is_null() ? Json::object() : result.axes;
-    json["params"] = result.parameters.is_null() ? Json::object() : result.parameters;
+    json["parameters"] = result.parameters.is_null() ? Json::object() : result.parameters;
     json["status"] = status_names[static_cast<std::size_t>(result.status)];
     json["reason"] = result.reason.empty() ? Json(nullptr) : Json(result.reason);
     json["time"] = Json::object();
@@ -330,15 +330,17 @@ Json to_json(const CellResult& result) {
 
 CellResult parse_cell_result(const Json& json, const std::string& file) {
     const JsonView view(json, file);
-    view.require_only({"cell", "technique", "axes", "params", "status", "reason", "time", "prepare", "work", "pipeline",
-                       "executable", "error", "image", "motion", "forced_resume"});
+    // Runs of version 0.1.0 have the short key.
+    const std::string parameters = view.has("params") ? "params" : "parameters";
+    view.require_only({"cell", "technique", "axes", parameters, "status", "reason", "time", "prepare", "work",
+                       "pipeline", "executable", "error", "image", "motion", "forced_resume"});
     const JsonView prepare = view.at("prepare");
     prepare.require_only({"ms", "bytes"});
     CellResult result;
     result.cell = view.at("cell").string();
     result.technique = view.at("technique").string();
     result.axes = read_object(view.at("axes"));
-    result.parameters = read_object(view.at("params"));
+    result.parameters = read_object(view.at(parameters));
     result.status = static_cast<CellStatus>(view.at("status").choice(status_names));
     result.reason = optional(view.at("reason"), [](const JsonView& reason) { return reason.string(); }).value_or("");
     for (const auto& [pass, timing] : view.at("time").members()) {

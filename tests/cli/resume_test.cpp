@@ -48,7 +48,7 @@ std::map<std::string, Json> deterministic_part(const std::vector<Json>& cells) {
     std::map<std::string, Json> kept;
     for (const Json& cell : cells) {
         Json part;
-        for (const char* key : {"error", "work", "pipeline", "image", "status", "axes", "params"})
+        for (const char* key : {"error", "work", "pipeline", "image", "status", "axes", "parameters"})
             part[key] = cell.at(key);
         part["bytes"] = cell.at("prepare").at("bytes");
         EXPECT_TRUE(kept.emplace(cell.at("cell").get<std::string>(), part).second) << cell.at("cell");

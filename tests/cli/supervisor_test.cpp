@@ -35,7 +35,7 @@ protected:
     std::map<int, Json> cells_by_steps(const std::string& run) const {
         std::map<int, Json> cells;
         for (const Json& cell : read_lines(path(run + "/cells.jsonl")))
-            cells[cell.at("params").at("max_steps").get<int>()] = cell;
+            cells[cell.at("parameters").at("max_steps").get<int>()] = cell;
         return cells;
     }
 };

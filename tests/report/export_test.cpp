@@ -130,7 +130,7 @@ TEST(Csv, HasOneRowPerCellAndEveryFieldAsAColumn) {
     EXPECT_EQ(field(1, "motion.unseen"), "700");
     EXPECT_EQ(field(1, "axes.heightmap"), "bricks, \"red\"");
     EXPECT_EQ(field(1, "axes.fov"), "");
-    EXPECT_EQ(field(1, "params.refine"), "true");
+    EXPECT_EQ(field(1, "parameters.refine"), "true");
     EXPECT_EQ(field(1, "pipeline.fragment_shader_invocations"), "65536");
     EXPECT_EQ(field(2, "reason"), "the device has no tessellation");
     EXPECT_EQ(field(2, "time.draw.median_ms"), "");

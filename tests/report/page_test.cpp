@@ -38,7 +38,7 @@ TEST(PageCells, AFieldIsAColumnWithOneEntryPerCell) {
     EXPECT_EQ(json.at("words").at("reason_group"), json.at("words").at("reason"));
     EXPECT_EQ(json.at("axes").at("heightmap").at("values"), Json({"bricks, \"red\""}));
     EXPECT_EQ(json.at("axes").at("heightmap").at("index"), Json({0, -1, -1}));
-    EXPECT_EQ(json.at("params").at("refine").at("values"), Json({true}));
+    EXPECT_EQ(json.at("parameters").at("refine").at("values"), Json({true}));
     EXPECT_EQ(json.at("numbers").at("time.draw.ci95_ms.high"), Json({0.75, nullptr, nullptr}));
     EXPECT_EQ(json.at("numbers").at("error.uv_texels.p99"), Json({0.75, nullptr, nullptr}));
 }

@@ -54,7 +54,7 @@ TEST(CellResultJson, HasEveryFieldWhereTheFormatSays) {
         "cell": "pom max_steps=16 | heightmap=bricks view_angle=60",
         "technique": "pom",
         "axes": {"heightmap": "bricks", "view_angle": 60},
-        "params": {"max_steps": 16, "bias": 0.1},
+        "parameters": {"max_steps": 16, "bias": 0.1},
         "status": "ok",
         "reason": null,
         "time": {
@@ -132,6 +132,15 @@ TEST(CellResultJson, RunsFromBeforeStoppingRulesAndMotionAreRead) {
     EXPECT_EQ(result.time.at("draw").n, 15U);
 }
 
+TEST(CellResultJson, TheKeyOfParametersInVersion010IsReadInPlaceOfTheNewOne) {
+    Json json = to_json(full_result());
+    json["params"] = json["parameters"];
+    json.erase("parameters");
+    EXPECT_EQ(parse_cell_result(json, "c").parameters, full_result().parameters);
+    json["parameters"] = json["params"];
+    EXPECT_THAT(error_message([&] { parse_cell_result(json, "c"); }), testing::HasSubstr("\"parameters\""));
+}
+
 TEST(CellResultJson, RunsFromBeforeShadowsAndObjectsAreRead) {
     Json json = to_json(full_result());
     json["work"].erase("shadow_taps_mean");
@@ -153,7 +162,7 @@ TEST(CellResultJson, WhatIsUndefinedIsNullAndReadsBackEmpty) {
     result.reason = "the device has no tessellation";
     const Json json = to_json(result);
     EXPECT_EQ(json, Json::parse(R"({
-        "cell": "tessellation | heightmap=bricks", "technique": "tessellation", "axes": {}, "params": {},
+        "cell": "tessellation | heightmap=bricks", "technique": "tessellation", "axes": {}, "parameters": {},
         "status": "skipped", "reason": "the device has no tessellation", "time": {"ns_per_pixel": null, "stop": null, "throttled_rounds": 0},
         "prepare": {"ms": null, "bytes": null}, "work": null, "pipeline": {}, "executable": {},
         "error": null, "image": null, "motion": null})"));

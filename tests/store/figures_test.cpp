@@ -59,7 +59,7 @@ TEST(Figures, AreAllNumbersOfACellAndNothingElse) {
         EXPECT_TRUE(is_new) << figure.path << " is declared twice";
         EXPECT_FALSE(figure.label.empty()) << figure.path;
     }
-    const std::set<std::string> words = {"/cell",   "/technique", "/axes",     "/params",    "/status",
+    const std::set<std::string> words = {"/cell",   "/technique", "/axes",     "/parameters",    "/status",
                                          "/reason", "/time/stop", "/pipeline", "/executable"};
     std::set<std::string> there;
     const Json flat = to_json(complete_cell()).flatten();
