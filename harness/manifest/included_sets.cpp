@@ -1,5 +1,7 @@
 #include "manifest/included_sets.hpp"
 
+#include "manifest/shared_shaders.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,21 +41,19 @@ std::vector<IncludedSet> read_included_sets(const JsonView& manifest, const std:
     if (manifest.has("include")) {
         for (const JsonView& item : manifest.at("include").items()) {
             const std::string name = item.string();
-            const std::filesystem::path file = shared / name;
-            const bool is_plain = file.filename() == name && file.extension() == ".json";
-            if (!is_plain || !std::filesystem::is_regular_file(file)) {
-                item.fail_expected("a .json file that stands beside the shared shaders (harness/shaders)");
-            }
+            const std::filesystem::path plain(name);
+            const bool is_plain = plain.filename() == name && plain.extension() == ".json";
+            const std::filesystem::path file = is_plain ? find_shared_file(shared, name) : std::filesystem::path();
+            if (file.empty())
+                item.fail_expected("a .json file that stands beside the shared shaders (harness/shaders/library)");
             if (name == quad_set || std::ranges::find(sets, name, &IncludedSet::name) != sets.end()) {
                 item.fail_here(fmt::format("'{}' is included already", name));
             }
             sets.push_back(read_set(name, file));
         }
     }
-    const std::filesystem::path file = shared / quad_set;
-    if (manifest.at("shape").json() == Json("quad") && std::filesystem::is_regular_file(file)) {
-        sets.push_back(read_set(quad_set, file));
-    }
+    const std::filesystem::path file = find_shared_file(shared, quad_set);
+    if (manifest.at("shape").json() == Json("quad") && !file.empty()) sets.push_back(read_set(quad_set, file));
     return sets;
 }
 

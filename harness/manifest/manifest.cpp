@@ -1,6 +1,7 @@
 #include "manifest/manifest.hpp"
 
 #include "core/error.hpp"
+#include "manifest/shared_shaders.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -87,20 +88,22 @@ Manifest load_manifest(const std::filesystem::path& folder, const std::filesyste
     const std::filesystem::path file = folder / "technique.json";
     Manifest manifest = parse_manifest(read_json_file(file), id, file.string(), shared, folder);
 
-    const auto require_file = [&](const std::filesystem::path& root, const std::string& name, const std::string& why) {
-        if (!std::filesystem::is_regular_file(root / name)) {
+    const auto require_file = [&](bool is_shared, const std::string& name, const std::string& why) {
+        const bool found =
+            is_shared ? !find_shared_file(shared, name).empty() : std::filesystem::is_regular_file(folder / name);
+        if (!found) {
             fail("{}: {} needs the shader file '{}', which is not in the folder {}; add it", file.string(), why, name,
-                 root.string());
+                 (is_shared ? shared : folder).string());
         }
     };
     if (manifest.shape.kind == Shape::Kind::quad) {
-        require_file(folder, "trace.glsl", "the shape \"quad\"");
+        require_file(false, "trace.glsl", "the shape \"quad\"");
     } else {
-        require_file(folder, "control.tesc", "the shape \"patches\"");
-        require_file(folder, "evaluation.tese", "the shape \"patches\"");
+        require_file(false, "control.tesc", "the shape \"patches\"");
+        require_file(false, "evaluation.tese", "the shape \"patches\"");
     }
     for (const PassDeclaration& pass : manifest.passes)
-        require_file(pass.is_shared ? shared : folder, pass.shader, "the pass '" + pass.name + "'");
+        require_file(pass.is_shared, pass.shader, "the pass '" + pass.name + "'");
     return manifest;
 }
 

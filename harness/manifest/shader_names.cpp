@@ -2,6 +2,7 @@
 
 #include "core/glsl_declarations.hpp"
 #include "core/glsl_includes.hpp"
+#include "manifest/shared_shaders.hpp"
 
 #include <vector>
 
@@ -21,8 +22,11 @@ std::set<std::string> names_of_shaders(const Manifest& manifest, const std::file
     for (const PassDeclaration& pass : manifest.passes)
         files.emplace_back(pass.shader);
     std::set<std::string> names;
-    for (const IncludedGlsl& included : glsl_with_includes(files, {shared, folder})) {
-        if (included.root != 0) continue;
+    std::vector<std::filesystem::path> roots = shared_shader_folders(shared);
+    const std::size_t own = roots.size();
+    roots.push_back(folder);
+    for (const IncludedGlsl& included : glsl_with_includes(files, roots)) {
+        if (included.root == own) continue;
         for (const GlslDeclaration& declaration : glsl_declarations(included.tokens))
             names.insert(declaration.name);
     }

@@ -6,7 +6,7 @@
 
 namespace reliefbench {
 
-/// The same function as shade() in harness/shaders/shading.glsl, in double, linear RGB; the albedo alone where lighting
+/// The same function as shade() in harness/shaders/driver/shading.glsl, in double, linear RGB; the albedo alone where lighting
 /// is off. `normal` and `to_eye` are unit vectors in world space, `t` the distance along the ray (fog), `visibility`
 /// how much of each light arrives.
 glm::dvec3 shade(const Lighting& lighting, glm::dvec3 albedo, glm::dvec3 normal, glm::dvec3 to_eye, double t,

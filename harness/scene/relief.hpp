@@ -54,7 +54,7 @@ struct View {
 };
 
 /// A ray that enters the relief over a height of at least 1 − this has hit it there: whether it touches a plateau at
-/// h = 1 or passes its edge must not depend on rounding. harness/shaders/relief.glsl has the same.
+/// h = 1 or passes its edge must not depend on rounding. harness/shaders/contract/relief.glsl has the same.
 constexpr double entry_tolerance = 0x1p-20;
 
 /// Where the ray crosses z = 0, as patch coordinates, when it does so inside the unit square: the footprint F.

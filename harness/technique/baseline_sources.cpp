@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/process.hpp"
+#include "manifest/shared_shaders.hpp"
 #include "technique/technique.hpp"
 
 #include <algorithm>
@@ -164,9 +165,14 @@ std::vector<std::string> shader_interface(const fs::path& shaders) {
     static const std::regex space("\\s+");
     std::vector<std::string> interface;
     const auto add = [&](const std::string& text) { interface.push_back(std::regex_replace(text, space, " ")); };
-    for (const fs::directory_entry& entry : fs::directory_iterator(shaders)) {
-        if (!entry.is_regular_file()) continue;
-        const std::string text = std::regex_replace(read_text_file(entry.path()), comment, "");
+    std::vector<fs::path> files;
+    for (const fs::path& folder : shared_shader_folders(shaders)) {
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+            if (entry.is_regular_file()) files.push_back(entry.path());
+        }
+    }
+    for (const fs::path& file : files) {
+        const std::string text = std::regex_replace(read_text_file(file), comment, "");
         std::string blocks;
         for (std::sregex_iterator found(text.begin(), text.end(), declaration), end; found != end; ++found) {
             add(found->str());

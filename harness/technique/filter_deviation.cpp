@@ -2,6 +2,7 @@
 #include "core/random.hpp"
 #include "gpu/commands.hpp"
 #include "gpu/shader_cache.hpp"
+#include "manifest/shared_shaders.hpp"
 #include "technique/program.hpp"
 #include "technique/scene_textures.hpp"
 
@@ -62,7 +63,7 @@ double measure_filter_deviation(const gpu::Device& device, HeightFormat format) 
     const auto code = device.shader_cache().get(shader_root().string() + "\n" + file, [&] {
         return gpu::compile_shader({.stage = gpu::ShaderStage::compute,
                                     .file = file,
-                                    .roots = {shader_root()},
+                                    .roots = shared_shader_folders(shader_root()),
                                     .generated = {},
                                     .preamble = {}});
     });

@@ -2,6 +2,7 @@
 
 #include "gpu/device.hpp"
 #include "gpu/shader_cache.hpp"
+#include "manifest/shared_shaders.hpp"
 #include "technique/program.hpp"
 
 #include <utility>
@@ -10,7 +11,7 @@ namespace reliefbench {
 
 namespace {
 
-/// The block of harness/shaders/object.frag, std140.
+/// The block of harness/shaders/driver/object.frag, std140.
 struct ObjectUniforms {
     glm::vec3 centre;
     float radius;
@@ -36,7 +37,7 @@ gpu::CompiledStage compile(const gpu::Device& device, const std::filesystem::pat
                            const char* file) {
     const gpu::ShaderSource source{.stage = stage,
                                    .file = file,
-                                   .roots = {shaders},
+                                   .roots = shared_shader_folders(shaders),
                                    .generated = {},
                                    .preamble = indexes_scene(device) ? "#define RELIEFBENCH_INDEXED_SCENE 1\n" : ""};
     const std::string key = fmt::format("{}\n{}", shaders.string(), file);

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "gpu/shader_cache.hpp"
+#include "manifest/shared_shaders.hpp"
 #include "technique/counted_fetches.hpp"
 
 #include <algorithm>
@@ -97,7 +98,8 @@ const MapDeclaration& find_map(const Manifest& manifest, const std::string& name
 
 gpu::CompiledStage compile_stage(const gpu::Device& device, const Technique& technique, const std::string& key,
                                  gpu::ShaderSource source) {
-    source.roots = {technique.shaders, technique.folder};
+    source.roots = shared_shader_folders(technique.shaders);
+    source.roots.push_back(technique.folder);
     const std::string full_key = fmt::format("{}\n{}\n{}\n{}\n{}", technique.folder.string(), technique.hash,
                                              technique.shaders.string(), source.file, key);
     const gpu::ShaderStage stage = source.stage;

@@ -60,7 +60,7 @@ gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& tech
 /// A parameter's value as the 32 bits of its specialization constant.
 gpu::SpecializationValues parameter_constants(const Manifest& manifest, const ParameterValues& values);
 
-/// The specialization constants of harness/shaders/self_shadow.glsl.
+/// The specialization constants of harness/shaders/driver/self_shadow.glsl.
 gpu::SpecializationValues self_shadow_constants(const SelfShadow& self_shadow);
 
 /// Maps that a pass may read: those finished by earlier passes. Indices into manifest.maps.

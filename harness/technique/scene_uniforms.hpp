@@ -16,7 +16,7 @@ namespace reliefbench {
 
 inline constexpr std::size_t max_lights = 3;
 
-/// SceneValues of harness/shaders/scene.glsl, std140.
+/// SceneValues of harness/shaders/contract/scene.glsl, std140.
 struct SceneUniforms {
     glm::mat4 clip_from_world;
     glm::vec3 eye;
@@ -46,7 +46,7 @@ static_assert(offsetof(SceneUniforms, ambient) == 224);
 static_assert(offsetof(SceneUniforms, resolution) == 272);
 static_assert(sizeof(SceneUniforms) == 304);
 
-/// The uniform block of harness/shaders/scene.glsl, std140.
+/// The uniform block of harness/shaders/contract/scene.glsl, std140.
 struct SceneBlock {
     std::int32_t index;
     std::array<std::int32_t, 3> padding;

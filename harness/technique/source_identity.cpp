@@ -3,9 +3,11 @@
 #include "core/file.hpp"
 #include "core/glsl_includes.hpp"
 #include "core/hash.hpp"
+#include "manifest/shared_shaders.hpp"
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
 
 namespace reliefbench {
@@ -14,10 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string hash_files(const fs::path& folder, const std::vector<fs::path>& files) {
+/// Of files by their names, sorted.
+std::string hash_files(const std::map<fs::path, fs::path>& files) {
     std::string digest;
-    for (const fs::path& file : files)
-        digest += file.generic_string() + '\n' + content_hash(read_text_file(folder / file)) + '\n';
+    for (const auto& [name, file] : files)
+        digest += name.generic_string() + '\n' + content_hash(read_text_file(file)) + '\n';
     return content_hash(digest);
 }
 
@@ -30,7 +33,9 @@ std::vector<fs::path> source_files(const Manifest& manifest, const fs::path& fol
     for (const PassDeclaration& pass : manifest.passes)
         named.emplace_back(pass.shader);
     std::vector<fs::path> files{"technique.json"};
-    for (const IncludedGlsl& included : glsl_with_includes(named, {folder, shaders})) {
+    std::vector<fs::path> roots = shared_shader_folders(shaders);
+    roots.insert(roots.begin(), folder);
+    for (const IncludedGlsl& included : glsl_with_includes(named, roots)) {
         if (included.root == 0) files.push_back(included.name);
     }
     std::sort(files.begin(), files.end());
@@ -38,20 +43,24 @@ std::vector<fs::path> source_files(const Manifest& manifest, const fs::path& fol
 }
 
 std::string hash_technique(const Manifest& manifest, const fs::path& folder, const fs::path& shaders) {
-    return hash_files(folder, source_files(manifest, folder, shaders));
+    std::map<fs::path, fs::path> files;
+    for (const fs::path& file : source_files(manifest, folder, shaders))
+        files.emplace(file, folder / file);
+    return hash_files(files);
 }
 
 std::string hash_shared_shaders(const fs::path& folder) {
     constexpr std::array<std::string_view, 7> extensions{".comp", ".frag", ".glsl", ".json", ".tesc", ".tese", ".vert"};
-    std::vector<fs::path> files;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-        const fs::path name = entry.path().filename();
-        const bool is_source = std::ranges::find(extensions, name.extension().string()) != extensions.end();
-        if (entry.is_regular_file() && is_source && !name.string().starts_with('.'))
-            files.push_back(entry.path().lexically_relative(folder));
+    std::map<fs::path, fs::path> files;
+    for (const fs::path& part : shared_shader_folders(folder)) {
+        for (const fs::directory_entry& entry : fs::directory_iterator(part)) {
+            const fs::path name = entry.path().filename();
+            const bool is_source = std::ranges::find(extensions, name.extension().string()) != extensions.end();
+            if (entry.is_regular_file() && is_source && !name.string().starts_with('.'))
+                files.emplace(name, entry.path());
+        }
     }
-    std::sort(files.begin(), files.end());
-    return hash_files(folder, files);
+    return hash_files(files);
 }
 
 }  // namespace reliefbench

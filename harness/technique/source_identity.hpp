@@ -24,8 +24,9 @@ std::vector<std::filesystem::path> source_files(const Manifest& manifest, const 
 std::string hash_technique(const Manifest& manifest, const std::filesystem::path& folder,
                            const std::filesystem::path& shaders);
 
-/// Content hash of the shared shaders: of all that techniques can include of the folder by the names that such files
-/// have (.glsl, .json, and those of stages).
+/// Content hash of the shared shaders (shared_shader_folders of `folder`): of the files with names that such files have
+/// (.glsl, .json, and those of stages), by their bare names, which are what includes go by. So a file that moves from
+/// one of the folders to another changes nothing.
 std::string hash_shared_shaders(const std::filesystem::path& folder);
 
 }  // namespace reliefbench

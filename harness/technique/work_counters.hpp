@@ -10,7 +10,7 @@
 
 namespace reliefbench {
 
-/// What probed compilations count in: the mirror of harness/shaders/work_counters.glsl. Eight numbers of vertex and
+/// What probed compilations count in: the mirror of harness/shaders/contract/work_counters.glsl. Eight numbers of vertex and
 /// tessellation stages, or of a preparation pass, then four for each pixel.
 class WorkCounters {
 public:

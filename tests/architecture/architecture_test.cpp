@@ -35,6 +35,15 @@ const std::map<std::string, std::set<std::string>> allowed_includes = {
     {"report", {"compare", "store", "core"}},
 };
 
+/// What shaders of each folder of harness/shaders may include, by the folder's name: it and these, and of `technique`
+/// what a technique's folder or the harness's preamble brings. Techniques include these and their own files.
+const std::map<std::string, std::set<std::string>> allowed_shader_includes = {
+    {"contract", {}},
+    {"library", {"contract"}},
+    {"driver", {"contract", "technique"}},
+};
+const std::set<std::string> includes_of_techniques = {"contract", "library"};
+
 /// Third-party headers that stay behind one interface: prefix → the files (relative to harness/) that may include them.
 const std::map<std::string, std::regex> confined_includes = {
     {"vulkan/", std::regex("gpu/.*|technique/.*\\.cpp|technique/detail/.*")},
@@ -70,6 +79,22 @@ std::vector<std::string> matches(const std::string& text, const std::regex& patt
         found.push_back((*match)[1]);
     }
     return found;
+}
+
+const std::regex glsl_include("#\\s*include\\s*\"([^\"]+)\"");
+const std::set<std::string> shader_extensions = {".glsl", ".comp", ".tesc", ".tese", ".vert", ".frag"};
+
+/// The folder of harness/shaders in which each file lies, by its name: no two have the same.
+std::map<std::string, std::string> folders_of_shared_shaders() {
+    std::map<std::string, std::string> folders;
+    for (const auto& entry : fs::recursive_directory_iterator(source_root / "harness/shaders")) {
+        if (entry.is_directory()) continue;
+        const std::string folder = entry.path().parent_path().filename().string();
+        EXPECT_TRUE(allowed_shader_includes.contains(folder)) << entry.path() << " lies in a folder that is no part";
+        EXPECT_TRUE(folders.emplace(entry.path().filename().string(), folder).second)
+            << entry.path() << " has the name of a file of another folder, and includes are by name";
+    }
+    return folders;
 }
 
 std::string layer_of(const fs::path& file) {
@@ -164,13 +189,29 @@ TEST(Architecture, ATechniqueIsAFolderOfShadersAndDocuments) {
     }
 }
 
+TEST(Architecture, SharedShadersIncludeOnlyWhatTheirFolderMay) {
+    const std::map<std::string, std::string> folder_of = folders_of_shared_shaders();
+    EXPECT_GT(folder_of.size(), 40U) << "found next to nothing to check";
+    for (const auto& [file, folder] : folder_of) {
+        const fs::path path = source_root / "harness/shaders" / folder / file;
+        for (const std::string& name : matches(read(path), glsl_include)) {
+            const auto found = folder_of.find(name);
+            const std::string target = found == folder_of.end() ? "technique" : found->second;
+            EXPECT_TRUE(target == folder || allowed_shader_includes.at(folder).contains(target))
+                << path << " may not include " << name << " of " << target;
+        }
+    }
+}
+
 TEST(Architecture, ATechniqueIncludesNoOtherTechniquesFiles) {
-    const std::regex include("#\\s*include\\s*\"([^\"]+)\"");
+    const std::map<std::string, std::string> folder_of = folders_of_shared_shaders();
     for (const fs::path& folder : technique_folders()) {
-        for (const fs::path& file : files_below(folder, {".glsl", ".comp", ".tesc", ".tese", ".vert", ".frag"})) {
-            for (const std::string& name : matches(read(file), include)) {
-                EXPECT_TRUE(fs::exists(folder / name) || fs::exists(source_root / "harness/shaders" / name))
-                    << file << " includes " << name << ", which is neither its own nor shared";
+        for (const fs::path& file : files_below(folder, shader_extensions)) {
+            for (const std::string& name : matches(read(file), glsl_include)) {
+                const auto found = folder_of.find(name);
+                const bool is_shared = found != folder_of.end() && includes_of_techniques.contains(found->second);
+                EXPECT_TRUE(fs::exists(folder / name) || is_shared)
+                    << file << " includes " << name << ", which is neither its own nor of the contract or the library";
                 EXPECT_EQ(name.find(".."), std::string::npos) << file << " climbs out of its folder: " << name;
             }
         }

@@ -147,10 +147,11 @@ Trace trace(ReliefRay ray) {
 TEST_F(Ab, EachSideIsCompiledWithItsOwnSharedShaders) {
     const std::filesystem::path source = RELIEFBENCH_SOURCE_DIR;
     std::filesystem::create_directories(path("old/harness"));
-    std::filesystem::copy(source / "harness/shaders", path("old/harness/shaders"));
+    std::filesystem::copy(source / "harness/shaders", path("old/harness/shaders"),
+                          std::filesystem::copy_options::recursive);
     std::filesystem::create_directory(path("old/techniques"));
     std::filesystem::copy(path("techniques/mine"), path("old/techniques/mine"));
-    const std::string shared = "old/harness/shaders/march.glsl";
+    const std::string shared = "old/harness/shaders/library/march.glsl";
     write(shared, read_file(path(shared)) + "\nthis is no GLSL;\n");
     const Outcome outcome = ab({"--baseline", path("old"), "--budget", "1s"});
     EXPECT_THAT(outcome.out, AllOf(HasSubstr("shared shaders (harness/shaders) differ"), HasSubstr("march.glsl"),

@@ -2,6 +2,7 @@
 
 #include "core/file.hpp"
 #include "core/glsl_declarations.hpp"
+#include "manifest/shared_shaders.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -53,11 +54,16 @@ struct Shader {
 
 std::vector<Shader> shaders() {
     std::vector<Shader> all;
-    for (const fs::directory_entry& entry : fs::directory_iterator(sources / "harness" / "shaders")) {
-        if (entry.path().extension() == ".json") continue;
-        std::vector<GlslToken> tokens = glsl_tokens(read_text_file(entry.path()));
+    std::vector<fs::path> files;
+    for (const fs::path& folder : shared_shader_folders(sources / "harness" / "shaders")) {
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+            files.push_back(entry.path());
+    }
+    for (const fs::path& file : files) {
+        if (file.extension() == ".json") continue;
+        std::vector<GlslToken> tokens = glsl_tokens(read_text_file(file));
         std::vector<GlslDeclaration> declarations = glsl_declarations(tokens);
-        all.push_back({entry.path().filename().string(), std::move(tokens), std::move(declarations)});
+        all.push_back({file.filename().string(), std::move(tokens), std::move(declarations)});
     }
     return all;
 }

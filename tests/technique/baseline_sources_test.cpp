@@ -190,6 +190,24 @@ TEST_F(Baseline, SharedShadersOfAnotherInterfaceAreNotUsed) {
     EXPECT_THAT(found.notices[0], HasSubstr("another version of the harness"));
 }
 
+/// Revisions before harness/shaders had folders have its files in it.
+TEST_F(Baseline, SharedShadersOfARevisionWithoutFoldersAreUsedWhereTheirInterfaceIsTheSame) {
+    const std::string block = "layout(set = 0, binding = 0) uniform Scene {\n    float a;\n};\n";
+    write(checkout_ / "harness/shaders/scene.glsl", block);
+    write(checkout_ / "harness/shaders/steps.json", R"({"parameters": []})");
+    write(checkout_ / "techniques/first/technique.json",
+          R"({ "title": "T", "kind": "march", "citation": "c", "include": ["steps.json"], "parameters": [],
+               "shape": "quad", "promises": [] })");
+    commit("flat");
+    fs::remove_all(checkout_ / "harness/shaders");
+    write(checkout_ / "harness/shaders/contract/scene.glsl", block);
+    const TechniqueSources found = find("flat");
+    EXPECT_THAT(found.notices, testing::IsEmpty());
+    EXPECT_EQ(read_text_file(found.shaders / "relief.glsl"), "// shared one");
+    const TechniqueLibrary library = find_techniques(found.roots, found.shaders);
+    EXPECT_EQ(library.techniques.size(), 2U) << (library.broken.empty() ? "" : library.broken[0].second);
+}
+
 TEST(ShaderInterface, HasAllThatTheHarnessBinds) {
     const std::vector<std::string> interface = shader_interface(shader_root());
     const auto has = [&](const std::string& words) {

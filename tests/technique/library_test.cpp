@@ -116,7 +116,7 @@ TEST(TechniqueLibrary, DataFolderComesFromTheEnvironment) {
     EXPECT_EQ(default_technique_root(), "/elsewhere/techniques");
     EXPECT_EQ(shader_root(), "/elsewhere/harness/shaders");
     ASSERT_EQ(unsetenv("RELIEFBENCH_DATA_DIR"), 0);
-    EXPECT_TRUE(std::filesystem::exists(shader_root() / "relief.glsl"));
+    EXPECT_TRUE(std::filesystem::exists(shader_root() / "contract" / "relief.glsl"));
 }
 
 class Compilation : public DeviceTest {

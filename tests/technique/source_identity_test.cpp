@@ -74,6 +74,20 @@ TEST_F(SourceIdentity, WhatEditorsLeaveBehindDoesNot) {
     EXPECT_NE(hash_shared_shaders(shaders()), shared);
 }
 
+TEST_F(SourceIdentity, SharedShadersAreTheSameInWhicheverFolderTheyStand) {
+    const std::string flat = hash_shared_shaders(shaders());
+    const std::string of_technique = hash();
+    for (const auto& [folder, file] : {std::pair{"driver", "quad.frag"}, std::pair{"library", "shared.glsl"}}) {
+        fs::create_directories(shaders() / folder);
+        fs::rename(shaders() / file, shaders() / folder / file);
+    }
+    fs::create_directories(shaders() / "contract");
+    EXPECT_EQ(hash_shared_shaders(shaders()), flat);
+    EXPECT_EQ(hash(), of_technique);
+    write("shaders/library/shared.glsl", "float other;\n");
+    EXPECT_NE(hash_shared_shaders(shaders()), flat);
+}
+
 TEST_F(SourceIdentity, CommentsIncludeNothing) {
     write("own/trace.glsl",
           "// #include \"back.glsl\"\n/* \n#include \"parts/search.glsl\"\n*/\n// goes on \\\n#include \"fill2.glsl\"\n"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/file.hpp"
+#include "manifest/shared_shaders.hpp"
 #include "verify_test.hpp"
 
 #include <filesystem>
@@ -13,14 +14,15 @@ class BrokenShaders {
 public:
     BrokenShaders(const std::string& file, const std::string& passage, const std::string& replacement) {
         std::filesystem::copy(shader_root(), shaders(), std::filesystem::copy_options::recursive);
-        std::string text = read_text_file(shaders() / file);
+        const std::filesystem::path broken = find_shared_file(shaders(), file);
+        std::string text = read_text_file(broken);
         const std::size_t place = text.find(passage);
         if (place == std::string::npos) {
             ADD_FAILURE() << file << " has no passage '" << passage << "'";
             return;
         }
         text.replace(place, passage.size(), replacement);
-        write_text_file(shaders() / file, text);
+        write_text_file(broken, text);
     }
 
     Technique compile(const std::string& id) const {

@@ -1,6 +1,7 @@
 #include "verify_test.hpp"
 
 #include "core/file.hpp"
+#include "manifest/shared_shaders.hpp"
 
 namespace reliefbench::test {
 
@@ -93,8 +94,8 @@ BrokenCopy::BrokenCopy(const std::string& id, const std::string& file, const std
     const fs::path shaders = root_ / "shaders";
     fs::create_directories(folder);
     fs::copy(default_technique_root() / id, folder, fs::copy_options::recursive);
-    fs::copy(shader_root(), shaders);
-    replace_once((fs::exists(folder / file) ? folder : shaders) / file, passage, replacement);
+    fs::copy(shader_root(), shaders, fs::copy_options::recursive);
+    replace_once(fs::exists(folder / file) ? folder / file : find_shared_file(shaders, file), passage, replacement);
     technique_ = find_techniques({folder.parent_path()}, shaders).get(id);
 }
 
