@@ -51,7 +51,7 @@ std::vector<Ray> view_rays(const View& view) {
     rays.reserve(resolution.pixels());
     for (int j = 0; j < resolution.height; ++j) {
         for (int i = 0; i < resolution.width; ++i)
-            rays.push_back(pixel_ray(view.camera, resolution, i, j));
+            rays.push_back(pixel_ray(view, i, j));
     }
     return rays;
 }

@@ -20,8 +20,8 @@ constexpr std::size_t rows_per_task = 8;
 /// what the camera's motion stretches.
 constexpr double same_surface_spacings = 2;
 
-glm::dvec3 surface_point(const Hit& hit, const Relief& relief) {
-    return {hit.u - 0.5, hit.v - 0.5, (static_cast<double>(hit.h) - 1) * relief.height_scale};
+glm::dvec3 point_of(const Hit& hit, const Relief& relief) {
+    return surface_point(relief, hit.u, hit.v, hit.h);
 }
 
 /// Distance of truth hits around a pixel: along rows and along columns the nearer of both neighbours, then the larger.
@@ -44,7 +44,7 @@ private:
         if (other_x < 0 || other_x >= hits_.size.width || other_y < 0 || other_y >= hits_.size.height) return none;
         const Hit& other = hits_.at(other_x, other_y);
         if (!other.is_hit()) return none;
-        return glm::distance(surface_point(hits_.at(x, y), relief_), surface_point(other, relief_));
+        return glm::distance(point_of(hits_.at(x, y), relief_), point_of(other, relief_));
     }
 
     const HitImage& hits_;
@@ -68,7 +68,7 @@ Landing land(glm::dvec2 position, glm::dvec3 point, double tolerance, const Trut
         if (x < 0 || x >= frame.hits.size.width || y < 0 || y >= frame.hits.size.height) continue;
         const Hit& hit = frame.hits.at(x, y);
         same[i] = frame.footprint.at(x, y) == in_footprint && hit.is_hit() &&
-                  glm::distance(surface_point(hit, relief), point) <= tolerance;
+                  glm::distance(point_of(hit, relief), point) <= tolerance;
         if (!same[i]) continue;
         weights[i] = (right ? fraction.x : 1 - fraction.x) * (below ? fraction.y : 1 - fraction.y);
         sum += weights[i];
@@ -138,7 +138,7 @@ TruthMotion follow_truth(const TruthFrame& first, const TruthFrame& second, cons
     assert(first.hits.size == second.hits.size && first.footprint.size == first.hits.size &&
            second.footprint.size == second.hits.size);
     const Resolution size = first.hits.size;
-    const PixelRays second_rays(second.camera, size);
+    const PixelRays second_rays(second.camera, size, parallel_window(relief.base, second.camera, relief.height_scale));
     const TruthSpacing spacing(first.hits, relief);
     TruthMotion motion{.landings = Image<Landing>(size)};
     parallel_for(static_cast<std::size_t>(size.height), rows_per_task, [&](std::size_t begin, std::size_t end) {
@@ -146,7 +146,7 @@ TruthMotion follow_truth(const TruthFrame& first, const TruthFrame& second, cons
             for (int x = 0; x < size.width; ++x) {
                 const Hit& hit = first.hits.at(x, y);
                 if (first.footprint.at(x, y) != in_footprint || !hit.is_hit()) continue;
-                const glm::dvec3 point = surface_point(hit, relief);
+                const glm::dvec3 point = point_of(hit, relief);
                 const auto position = second_rays.project(point);
                 const double tolerance = same_surface_spacings * spacing.at(x, y);
                 if (!position || std::isinf(tolerance)) continue;

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 namespace reliefbench {
 namespace {
@@ -270,27 +271,26 @@ double first_crossing(const HeightMap& map, const MaximumMipChain& maxima, const
 
 }  // namespace
 
-ExactTracer::ExactTracer(const HeightMap& map, const Relief& relief) : map_(&map), relief_(relief), maxima_(map) {
+ExactTracer::ExactTracer(const HeightMap& map, const Relief& relief)
+    : map_(&map),
+      relief_(relief),
+      plane_(std::visit([](const Plane& plane) { return plane; }, relief.base.kind)),
+      maxima_(map) {
     assert(relief.height_scale > 0 && relief.tiling > 0);
 }
 
 std::optional<ExactHit> ExactTracer::trace(const Ray& ray) const {
-    if (!(ray.direction.z < 0)) {
+    const std::optional<StraightPath> path = straight_path(plane_, ray, relief_.height_scale);
+    if (!path) {
         return std::nullopt;
     }
-    const double t_per_z = 1 / ray.direction.z;
-    const double t_top = -ray.origin.z * t_per_z;
-    const double t_per_s = -relief_.height_scale * t_per_z;
-    const double u = ray.origin.x + t_top * ray.direction.x + 0.5;
-    const double v = ray.origin.y + t_top * ray.direction.y + 0.5;
-    const double du = t_per_s * ray.direction.x;
-    const double dv = t_per_s * ray.direction.y;
     const double columns = relief_.tiling * map_->width();
     const double rows = relief_.tiling * map_->height();
 
-    SlabRay slab{Axis(u * columns - 0.5, du * columns), Axis(v * rows - 0.5, dv * rows)};
-    if (t_top < 0) {
-        slab.first = -t_top / t_per_s;
+    SlabRay slab{Axis(path->uv.x * columns - 0.5, path->uv_per_s.x * columns),
+                 Axis(path->uv.y * rows - 0.5, path->uv_per_s.y * rows)};
+    if (path->t_top < 0) {
+        slab.first = -path->t_top / path->t_per_s;
     }
     if (relief_.boundary == Boundary::clip) {
         slab.clip(slab.x, -0.5, columns - 0.5);
@@ -303,7 +303,8 @@ std::optional<ExactHit> ExactTracer::trace(const Ray& ray) const {
     if (s < 0) {
         return std::nullopt;
     }
-    return ExactHit{u + s * du, v + s * dv, std::max(1 - s, 0.0), t_top + s * t_per_s};
+    return ExactHit{path->uv.x + s * path->uv_per_s.x, path->uv.y + s * path->uv_per_s.y, std::max(1 - s, 0.0),
+                    path->t_top + s * path->t_per_s};
 }
 
 }  // namespace reliefbench

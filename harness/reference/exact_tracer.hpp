@@ -20,7 +20,8 @@ struct ExactHit {
 
 /// Double-precision rays against the bilinear surface itself: hierarchical traversal over a maximum mip chain of the
 /// bilinear cells (Tevs et al. 2008), the quadratic ray-patch equation in each cell. No subdivision parameter.
-/// Refers to the height map, which must outlive it. Immutable after construction: any number of threads may trace.
+/// For a relief on the plane, over which rays are straight. Refers to the height map, which must outlive it. Immutable
+/// after construction: any number of threads may trace.
 class ExactTracer {
 public:
     ExactTracer(const HeightMap& map, const Relief& relief);
@@ -34,6 +35,7 @@ public:
 private:
     const HeightMap* map_;
     Relief relief_;
+    Plane plane_;
     MaximumMipChain maxima_;
 };
 

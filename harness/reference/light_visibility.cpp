@@ -112,6 +112,7 @@ public:
 
 private:
     struct Point {
+        glm::dvec2 uv;
         glm::dvec3 place;
         double h = 0;
     };
@@ -120,12 +121,13 @@ private:
         const double u = hits_.texels[pixel].u;
         const double v = hits_.texels[pixel].v;
         const double h = map_.sample(relief_.tiling * u, relief_.tiling * v);
-        return {{u - 0.5, v - 0.5, (h - 1) * relief_.height_scale}, h};
+        return {{u, v}, surface_point(relief_, u, v, h), h};
     }
 
     bool reaches(const Point& point, const glm::dvec3& to_light) const {
-        if (to_light.z <= 0) return false;
-        const auto hit = tracer_.trace({point.place - to_light * (point.place.z / to_light.z), -to_light});
+        const std::optional<Ray> ray = light_ray(relief_.base, point.uv, point.place, to_light);
+        if (!ray) return false;
+        const auto hit = tracer_.trace(*ray);
         return !hit || hit->h <= point.h + height_tolerance;
     }
 

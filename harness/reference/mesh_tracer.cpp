@@ -16,12 +16,13 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace reliefbench {
 namespace {
 
-/// Rays start this far above z = 0, so that single precision cannot lose a hit at their very start.
+/// Rays start this far above the plane, so that single precision cannot lose a hit at their very start.
 constexpr double start_height = 1e-3;
 
 /// Cells along a side of one of Embree's grids, at most 32,766; small enough that grids are built in parallel.
@@ -48,6 +49,7 @@ struct TracedRay {
     RTCIntersectContext context;
     glm::dvec3 origin;
     glm::dvec3 direction;
+    Plane plane;
     bool clip;
 };
 static_assert(std::is_standard_layout_v<RTCIntersectContext>);
@@ -60,31 +62,9 @@ void reject_transparent(const RTCFilterFunctionNArguments* arguments) {
                       RTCHitN_Ng_z(arguments->hit, 1, 0)};
     if (normal.z < 0) normal = -normal;
     const double t = RTCRayN_tfar(arguments->ray, 1, 0);
-    const double x = ray->origin.x + t * ray->direction.x;
-    const double y = ray->origin.y + t * ray->direction.y;
-    const bool outside = std::abs(x) > 0.5 || std::abs(y) > 0.5;
+    const bool outside = is_beside(ray->plane, ray->origin + t * ray->direction);
     const bool from_below = glm::dot(normal, ray->direction) >= 0;
     if (from_below || (ray->clip && outside)) arguments->valid[0] = 0;
-}
-
-/// The patch coordinates where rays of the footprint can meet the relief. Where a ray leaves the slab depends linearly
-/// on where it enters, so the corners of the footprint bound it.
-struct Extent {
-    glm::dvec2 low{0, 0};
-    glm::dvec2 high{1, 1};
-};
-
-Extent footprint_extent(const View& view) {
-    const CameraFrame frame = camera_frame(view.camera);
-    Extent extent;
-    for (const glm::dvec2 entry : {glm::dvec2{0, 0}, glm::dvec2{1, 0}, glm::dvec2{0, 1}, glm::dvec2{1, 1}}) {
-        const glm::dvec3 direction =
-            view.camera.projection == Projection::parallel ? frame.forward : glm::dvec3(entry - 0.5, 0.0) - frame.eye;
-        const glm::dvec2 exit = entry - glm::dvec2(direction) * (view.relief.height_scale / direction.z);
-        extent.low = glm::min(extent.low, exit);
-        extent.high = glm::max(extent.high, exit);
-    }
-    return extent;
 }
 
 void fill_grids(RTCGeometry geometry, const VertexGrid& mesh) {
@@ -139,6 +119,7 @@ struct MeshTracer::Scene {
     SceneHandle scene;
     const HeightMap* map = nullptr;
     Relief relief;
+    Plane plane;
     bool clip = false;
 
     /// Of the bilinear surface, which every mesh shares at h = 1: entry_tolerance.
@@ -152,9 +133,11 @@ MeshTracer::MeshTracer(const HeightMap& map, const View& view, int subdivision, 
     : scene_(std::make_unique<Scene>()) {
     scene_->map = &map;
     scene_->relief = view.relief;
+    scene_->plane = std::visit([](const Plane& plane) { return plane; }, view.relief.base.kind);
     scene_->clip = view.relief.boundary == Boundary::clip;
-    const Extent extent = scene_->clip ? Extent{} : footprint_extent(view);
-    const VertexGrid mesh = enclosing_grid(map, view.relief, extent.low, extent.high, subdivision);
+    const PatchRegion region =
+        scene_->clip ? PatchRegion{} : visible_region(scene_->plane, view.camera, view.relief.height_scale);
+    const VertexGrid mesh = enclosing_grid(map, view.relief, region.low, region.high, subdivision);
 
     scene_->device.reset(rtcNewDevice(embree_configuration));
     if (!scene_->device) fail("Embree gives no device for the mesh truth: check the package libembree3-3");
@@ -190,15 +173,16 @@ MeshTracer& MeshTracer::operator=(MeshTracer&&) noexcept = default;
 std::optional<ExactHit> MeshTracer::trace(const Ray& ray) const {
     if (!(ray.direction.z < 0)) return std::nullopt;
     // Embree counts in single precision: the shorter the way from the ray's start to the relief, the less is lost.
-    const double t_top = -ray.origin.z / ray.direction.z;
-    const glm::dvec3 entry = ray.origin + t_top * ray.direction + glm::dvec3(0.5, 0.5, 0);
+    const double t_top = crossing_t(scene_->plane, ray);
+    const glm::dvec3 entry = base_coordinates(scene_->plane, ray.origin + t_top * ray.direction);
     if (t_top >= 0 && scene_->is_entered_on_surface(entry.x, entry.y)) return ExactHit{entry.x, entry.y, 1, t_top};
-    const double t_start = t_top + start_height / ray.direction.z;
+    const double t_start = t_top + rise_t(scene_->plane, ray, start_height);
 
     TracedRay traced{};
     rtcInitIntersectContext(&traced.context);
     traced.origin = ray.origin + t_start * ray.direction;
     traced.direction = ray.direction;
+    traced.plane = scene_->plane;
     traced.clip = scene_->clip;
 
     RTCRayHit query{};
@@ -216,8 +200,8 @@ std::optional<ExactHit> MeshTracer::trace(const Ray& ray) const {
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
     const double t = std::max(t_start + static_cast<double>(query.ray.tfar), t_top);
-    const glm::dvec3 point = ray.origin + t * ray.direction;
-    return ExactHit{point.x + 0.5, point.y + 0.5, std::clamp(1 + point.z / scene_->relief.height_scale, 0.0, 1.0), t};
+    const glm::dvec3 found = base_coordinates(scene_->plane, ray.origin + t * ray.direction);
+    return ExactHit{found.x, found.y, std::clamp(1 + found.z / scene_->relief.height_scale, 0.0, 1.0), t};
 }
 
 }  // namespace reliefbench

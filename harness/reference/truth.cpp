@@ -51,10 +51,10 @@ Truth trace_hits(const View& view, const Trace& trace) {
     Truth truth;
     truth.hits = HitImage(view.resolution);
     truth.footprint = FootprintImage(view.resolution);
-    const PixelRays rays(view.camera, view.resolution);
+    const PixelRays rays = pixel_rays(view);
     for_each_pixel(view.resolution, [&](int i, int j) {
         const Ray ray = rays.at(i, j);
-        const bool inside = footprint_entry(ray).has_value();
+        const bool inside = footprint_entry(ray, view.relief.base).has_value();
         truth.footprint.at(i, j) = inside ? in_footprint : 0;
         if (!inside && view.relief.boundary == Boundary::repeat) return;
         if (const auto hit = trace(ray)) truth.hits.at(i, j) = to_hit(*hit);
@@ -66,7 +66,7 @@ Truth trace_hits(const View& view, const Trace& trace) {
 /// technique shares.
 void mark_ties(Truth& truth, const HeightMap& map, const View& view, const ExactTracer& tracer) {
     const TieFinder ties(map, view.relief, tracer);
-    const PixelRays rays(view.camera, view.resolution);
+    const PixelRays rays = pixel_rays(view);
     for_each_pixel(view.resolution, [&](int i, int j) {
         if (truth.footprint.at(i, j) == 0) return;
         if (ties.is_tie(rays.at(i, j))) truth.footprint.at(i, j) = tie_in_footprint;
@@ -98,7 +98,7 @@ Truth trace_mesh_truth(const HeightMap& map, const Albedo& albedo, const View& v
 
 void show_object(Truth& truth, const SceneObject& object, const View& view, const Lighting& lighting) {
     truth.front = Image<Front>(view.resolution, Front::nothing);
-    const PixelRays rays(view.camera, view.resolution);
+    const PixelRays rays = pixel_rays(view);
     for_each_pixel(view.resolution, [&](int i, int j) {
         const Ray ray = rays.at(i, j);
         const Hit& hit = truth.hits.at(i, j);
@@ -117,7 +117,7 @@ Image<std::array<float, 3>> shade_hits(const HitImage& hits, const Image<std::ar
                                        const Lighting& lighting) {
     const Image<std::array<float, 2>> derivatives = height_derivatives(map);
     const double tiling = view.relief.tiling;
-    const PixelRays rays(view.camera, view.resolution);
+    const PixelRays rays = pixel_rays(view);
     Image<std::array<float, 3>> colour(hits.size);
     for_each_pixel(hits.size, [&](int i, int j) {
         const Hit& hit = hits.at(i, j);

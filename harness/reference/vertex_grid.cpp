@@ -45,11 +45,9 @@ void displace(const HeightMap& map, const Relief& relief, const VertexGrid& grid
             for (int column = 0; column < grid.columns; ++column) {
                 const double u =
                     (grid.first_column + static_cast<double>(column) / grid.subdivision + 0.5) / map.width();
+                const glm::dvec3 point = surface_point(relief, u / relief.tiling, v / relief.tiling, map.sample(u, v));
                 vertices[row * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(column)] = {
-                    static_cast<float>(u / relief.tiling - 0.5),
-                    static_cast<float>(v / relief.tiling - 0.5),
-                    static_cast<float>((map.sample(u, v) - 1) * relief.height_scale),
-                };
+                    static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)};
             }
         }
     });

@@ -3,7 +3,6 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -15,44 +14,6 @@ namespace {
 glm::dvec2 half_extent(const Camera& camera, Resolution resolution) {
     const double vertical = std::tan(glm::radians(camera.fov) / 2);
     return {vertical * resolution.width / resolution.height, vertical};
-}
-
-/// View depth that everything seen at or below z = 0 inside the patch exceeds. Two bounds hold, each with a margin of
-/// two: that of the patch's nearest corner, and, for an eye above the patch itself, the eye's height over the plane
-/// seen at the picture's corner.
-double near_plane(const Camera& camera, glm::dvec3 eye, glm::dvec2 extent) {
-    const double nearest_corner = camera.distance - (std::abs(eye.x) + std::abs(eye.y)) / (2 * camera.distance);
-    const double cosine_of_picture_corner = 1 / std::sqrt(1 + glm::dot(extent, extent));
-    return std::max(nearest_corner, eye.z * cosine_of_picture_corner) / 2;
-}
-
-/// Infinite far plane: depth = 1 − near/(view depth), so that nothing is cut off however far a grazing ray travels.
-glm::dmat4 perspective_clip(const Camera& camera, Resolution resolution) {
-    const CameraFrame frame = camera_frame(camera);
-    const glm::dvec2 extent = half_extent(camera, resolution);
-    const glm::dvec3 x = frame.right / extent.x;
-    const glm::dvec3 y = -frame.up / extent.y;
-    const glm::dvec3 depth = frame.forward;
-    const double near = near_plane(camera, frame.eye, extent);
-
-    glm::dmat4 clip;
-    for (int column = 0; column < 3; ++column) {
-        clip[column] = {x[column], y[column], depth[column], depth[column]};
-    }
-    clip[3] = {-glm::dot(x, frame.eye), -glm::dot(y, frame.eye), -glm::dot(depth, frame.eye) - near,
-               -glm::dot(depth, frame.eye)};
-    return clip;
-}
-
-glm::dmat4 parallel_clip(const Camera& camera) {
-    const glm::dvec3 direction = camera_frame(camera).forward;
-    const double slide_x = direction.x / direction.z;
-    const double slide_y = direction.y / direction.z;
-    glm::dmat4 clip(1.0);
-    clip[0] = {2, 0, 0, 0};
-    clip[1] = {0, -2, 0, 0};
-    clip[2] = {-2 * slide_x, 2 * slide_y, -1, 0};
-    return clip;
 }
 
 }  // namespace
@@ -73,8 +34,11 @@ CameraFrame camera_frame(const Camera& camera) {
     return frame;
 }
 
-PixelRays::PixelRays(const Camera& camera, Resolution resolution)
-    : parallel_(camera.projection == Projection::parallel), resolution_(resolution), frame_(camera_frame(camera)) {
+PixelRays::PixelRays(const Camera& camera, Resolution resolution, const ParallelWindow& window)
+    : parallel_(camera.projection == Projection::parallel),
+      resolution_(resolution),
+      window_(window),
+      frame_(camera_frame(camera)) {
     assert(resolution.width > 0 && resolution.height > 0);
     const glm::dvec2 extent = half_extent(camera, resolution);
     across_ = frame_.right * extent.x;
@@ -84,7 +48,10 @@ PixelRays::PixelRays(const Camera& camera, Resolution resolution)
 Ray PixelRays::at(double i, double j) const {
     const double across = (i + 0.5) / resolution_.width;
     const double down = (j + 0.5) / resolution_.height;
-    if (parallel_) return {{across - 0.5, 0.5 - down, 0.0}, frame_.forward};
+    if (parallel_) {
+        const glm::dvec2 size = window_.high - window_.low;
+        return {{window_.low.x + across * size.x, window_.high.y - down * size.y, 0.0}, frame_.forward};
+    }
     return {frame_.eye, glm::normalize(frame_.forward + across_ * (2 * across - 1) + upwards_ * (1 - 2 * down))};
 }
 
@@ -93,8 +60,9 @@ std::optional<glm::dvec2> PixelRays::project(glm::dvec3 point) const {
     double down = 0;
     if (parallel_) {
         const glm::dvec3 entry = point - frame_.forward * (point.z / frame_.forward.z);
-        across = entry.x + 0.5;
-        down = 0.5 - entry.y;
+        const glm::dvec2 size = window_.high - window_.low;
+        across = (entry.x - window_.low.x) / size.x;
+        down = (window_.high.y - entry.y) / size.y;
     } else {
         const glm::dvec3 from_eye = point - frame_.eye;
         const double depth = glm::dot(from_eye, frame_.forward);
@@ -105,13 +73,41 @@ std::optional<glm::dvec2> PixelRays::project(glm::dvec3 point) const {
     return glm::dvec2(across * resolution_.width - 0.5, down * resolution_.height - 0.5);
 }
 
-Ray pixel_ray(const Camera& camera, Resolution resolution, double i, double j) {
-    return PixelRays(camera, resolution).at(i, j);
+double cosine_of_picture_corner(const Camera& camera, Resolution resolution) {
+    const glm::dvec2 extent = half_extent(camera, resolution);
+    return 1 / std::sqrt(1 + glm::dot(extent, extent));
 }
 
-glm::dmat4 clip_from_world(const Camera& camera, Resolution resolution) {
+glm::dmat4 perspective_clip(const Camera& camera, Resolution resolution, double near) {
     assert(resolution.width > 0 && resolution.height > 0);
-    return camera.projection == Projection::parallel ? parallel_clip(camera) : perspective_clip(camera, resolution);
+    const CameraFrame frame = camera_frame(camera);
+    const glm::dvec2 extent = half_extent(camera, resolution);
+    const glm::dvec3 x = frame.right / extent.x;
+    const glm::dvec3 y = -frame.up / extent.y;
+    const glm::dvec3 depth = frame.forward;
+
+    glm::dmat4 clip;
+    for (int column = 0; column < 3; ++column) {
+        clip[column] = {x[column], y[column], depth[column], depth[column]};
+    }
+    clip[3] = {-glm::dot(x, frame.eye), -glm::dot(y, frame.eye), -glm::dot(depth, frame.eye) - near,
+               -glm::dot(depth, frame.eye)};
+    return clip;
+}
+
+glm::dmat4 parallel_clip(const Camera& camera, const ParallelWindow& window) {
+    const glm::dvec3 direction = camera_frame(camera).forward;
+    const double slide_x = direction.x / direction.z;
+    const double slide_y = direction.y / direction.z;
+    const glm::dvec2 scale = 2.0 / (window.high - window.low);
+    const glm::dvec2 centre = (window.low + window.high) / 2.0;
+    glm::dmat4 clip(1.0);
+    clip[0] = {scale.x, 0, 0, 0};
+    clip[1] = {0, -scale.y, 0, 0};
+    clip[2] = {-scale.x * slide_x, scale.y * slide_y, -1, 0};
+    // From 0, so that a centred window leaves no negative zero.
+    clip[3] = {0 - scale.x * centre.x, scale.y * centre.y, 0, 1};
+    return clip;
 }
 
 }  // namespace reliefbench

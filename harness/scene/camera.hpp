@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/image.hpp"
+#include "scene/ray.hpp"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -31,13 +32,6 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
-/// A ray with a unit direction. For perspective it starts at the eye; for parallel rays at z = 0, so that in both
-/// cases the ray parameter is the t that a hit reports.
-struct Ray {
-    glm::dvec3 origin;
-    glm::dvec3 direction;
-};
-
 /// Orthonormal; for perspective `eye` = distance·(sinθ·cosφ, sinθ·sinφ, cosθ), looking at the origin. For parallel
 /// rays `forward` is every ray's direction and `eye` is unused.
 struct CameraFrame {
@@ -49,10 +43,17 @@ struct CameraFrame {
 
 CameraFrame camera_frame(const Camera& camera);
 
+/// The rectangle of z = 0 through which parallel rays fill the picture; the unit square unless a base surface reaches
+/// beyond it (scene/surface).
+struct ParallelWindow {
+    glm::dvec2 low{-0.5, -0.5};
+    glm::dvec2 high{0.5, 0.5};
+};
+
 /// The rays of a picture's pixels; row 0 is the top.
 class PixelRays {
 public:
-    PixelRays(const Camera& camera, Resolution resolution);
+    PixelRays(const Camera& camera, Resolution resolution, const ParallelWindow& window = {});
 
     /// Through the centre of pixel (i, j); i and j may be fractions.
     Ray at(double i, double j) const;
@@ -64,18 +65,22 @@ public:
 private:
     bool parallel_;
     Resolution resolution_;
+    ParallelWindow window_;
     CameraFrame frame_;
     /// `right` and `up` times the tangents of the half angles that the picture spans.
     glm::dvec3 across_;
     glm::dvec3 upwards_;
 };
 
-/// One ray of them.
-Ray pixel_ray(const Camera& camera, Resolution resolution, double i, double j);
+/// Cosine of the angle between the middle and a corner of a perspective picture.
+double cosine_of_picture_corner(const Camera& camera, Resolution resolution);
 
-/// World to Vulkan clip space (y down, depth 0..1, less is nearer) with exactly the pixels of `pixel_ray`.
-/// For parallel rays an oblique affine projection that slides points along the rays onto z = 0, whose unit square
-/// fills the target; depth is then −z.
-glm::dmat4 clip_from_world(const Camera& camera, Resolution resolution);
+/// World to Vulkan clip space (y down, depth 0..1, less is nearer) with exactly the pixels of PixelRays. Perspective:
+/// depth = 1 − near/(view depth), an infinite far plane, so that nothing is cut off however far a grazing ray travels.
+glm::dmat4 perspective_clip(const Camera& camera, Resolution resolution, double near);
+
+/// The same for parallel rays: an oblique affine projection that slides points along the rays onto z = 0, where the
+/// window fills the target; depth is then −z.
+glm::dmat4 parallel_clip(const Camera& camera, const ParallelWindow& window);
 
 }  // namespace reliefbench

@@ -6,12 +6,31 @@ std::string to_string(Boundary boundary) {
     return boundary == Boundary::clip ? "clip" : "repeat";
 }
 
-std::optional<glm::dvec2> footprint_entry(const Ray& ray) {
-    if (ray.direction.z >= 0 || ray.origin.z < 0) return std::nullopt;
-    const double t = -ray.origin.z / ray.direction.z;
-    const glm::dvec2 entry{ray.origin.x + t * ray.direction.x + 0.5, ray.origin.y + t * ray.direction.y + 0.5};
-    if (entry.x < 0 || entry.x > 1 || entry.y < 0 || entry.y > 1) return std::nullopt;
-    return entry;
+glm::dvec3 surface_point(const Relief& relief, double u, double v, double h) {
+    return base_point(relief.base, {u, v}, (h - 1) * relief.height_scale);
+}
+
+std::optional<glm::dvec2> footprint_entry(const Ray& ray, const BaseSurface& base) {
+    const std::optional<BaseEntry> entry = find_entry(base, ray);
+    if (!entry) return std::nullopt;
+    return entry->uv;
+}
+
+PixelRays pixel_rays(const View& view) {
+    return {view.camera, view.resolution, parallel_window(view.relief.base, view.camera, view.relief.height_scale)};
+}
+
+Ray pixel_ray(const View& view, double i, double j) {
+    return pixel_rays(view).at(i, j);
+}
+
+glm::dmat4 clip_from_world(const View& view) {
+    const BaseSurface& base = view.relief.base;
+    if (view.camera.projection == Projection::parallel)
+        return parallel_clip(view.camera, parallel_window(base, view.camera, view.relief.height_scale));
+    const double cosine = cosine_of_picture_corner(view.camera, view.resolution);
+    // Half as far as what is nearest: the margin of the near plane.
+    return perspective_clip(view.camera, view.resolution, nearest_depth(base, view.camera, cosine) / 2);
 }
 
 }  // namespace reliefbench

@@ -2,6 +2,7 @@
 
 #include "scene/camera.hpp"
 #include "scene/self_shadow.hpp"
+#include "scene/surface/base_surface.hpp"
 
 #include <glm/vec2.hpp>
 
@@ -19,14 +20,15 @@ enum class Boundary {
 
 std::string to_string(Boundary boundary);
 
-/// How the height map lies on the patch. Patch: world side 1 in z = 0, centred on the origin,
-/// P(u,v) = (u − ½, v − ½, 0); surface S(u,v) = P(u,v) + (0, 0, (h − 1)·height_scale), h sampled at tiling·(u,v).
+/// How the height map lies on the patch: the surface S(u,v) = P(u,v) + (h − 1)·height_scale·N(u,v) over the base P with
+/// the normal N (scene/surface), h sampled at tiling·(u,v).
 struct Relief {
     /// H > 0, in units of the patch side.
     double height_scale = 0.05;
     /// Texture repeats per patch side, > 0.
     double tiling = 1;
     Boundary boundary = Boundary::clip;
+    BaseSurface base = {};
 
     bool operator==(const Relief&) const = default;
 };
@@ -57,7 +59,19 @@ struct View {
 /// h = 1 or passes its edge must not depend on rounding. harness/shaders/contract/relief.glsl has the same.
 constexpr double entry_tolerance = 0x1p-20;
 
-/// Where the ray crosses z = 0, as patch coordinates, when it does so inside the unit square: the footprint F.
-std::optional<glm::dvec2> footprint_entry(const Ray& ray);
+/// S over (u, v) at the height h.
+glm::dvec3 surface_point(const Relief& relief, double u, double v, double h);
+
+/// The patch coordinates at which the ray enters through the base; empty outside of the footprint F.
+std::optional<glm::dvec2> footprint_entry(const Ray& ray, const BaseSurface& base = {});
+
+PixelRays pixel_rays(const View& view);
+
+/// One ray of them.
+Ray pixel_ray(const View& view, double i, double j);
+
+/// World to Vulkan clip space (perspective_clip and parallel_clip of scene/camera.hpp), with all that is seen of the
+/// relief behind the near plane.
+glm::dmat4 clip_from_world(const View& view);
 
 }  // namespace reliefbench

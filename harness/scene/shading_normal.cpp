@@ -1,6 +1,5 @@
 #include "scene/shading_normal.hpp"
 
-#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include <cmath>
@@ -37,7 +36,7 @@ glm::dvec3 shading_normal(const Image<std::array<float, 2>>& derivatives, const 
     };
     const glm::dvec2 slope = along_row(y.first) * (1 - y.fraction) + along_row(y.second) * y.fraction;
     const double to_world = relief.height_scale * relief.tiling;
-    return glm::normalize(glm::dvec3(-to_world * slope.x, -to_world * slope.y, 1.0));
+    return relief_normal(relief.base, {u, v}, to_world * slope);
 }
 
 }  // namespace reliefbench

@@ -9,7 +9,8 @@
 
 namespace reliefbench {
 
-/// normalize(−H·tiling·∂h/∂u, −H·tiling·∂h/∂v, 1) from the derivative texture (height_derivatives()), bilinear and
+/// In world space, of the slopes H·tiling·∂h/∂u and H·tiling·∂h/∂v over the base (relief_normal; on the plane
+/// normalize(−H·tiling·∂h/∂u, −H·tiling·∂h/∂v, 1)), from the derivative texture (height_derivatives()), bilinear and
 /// repeating at texture coordinates tiling·(u, v).
 glm::dvec3 shading_normal(const Image<std::array<float, 2>>& derivatives, const Relief& relief, double u, double v);
 

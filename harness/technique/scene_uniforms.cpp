@@ -13,31 +13,6 @@ namespace reliefbench {
 
 namespace {
 
-struct Region {
-    glm::dvec2 low{0, 0};
-    glm::dvec2 high{1, 1};
-};
-
-/// The unit square united with where rays that enter through it leave the relief at its bottom.
-Region visible_region(const View& view) {
-    Region region;
-    if (view.relief.boundary == Boundary::clip) return region;
-    const CameraFrame frame = camera_frame(view.camera);
-    const double depth = view.relief.height_scale;
-    for (const glm::dvec2 corner : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(1, 1)}) {
-        glm::dvec2 reached;
-        if (view.camera.projection == Projection::parallel) {
-            reached = corner - glm::dvec2(frame.forward) * (depth / frame.forward.z);
-        } else {
-            const glm::dvec2 below_eye = glm::dvec2(frame.eye) + 0.5;
-            reached = below_eye + (corner - below_eye) * ((frame.eye.z + depth) / frame.eye.z);
-        }
-        region.low = glm::min(region.low, reached);
-        region.high = glm::max(region.high, reached);
-    }
-    return region;
-}
-
 /// PatchGrid before its numbers are known to be integers of 32 bits.
 struct RealGrid {
     glm::dvec2 per_side{1, 1};
@@ -52,7 +27,9 @@ RealGrid real_grid(const Manifest& manifest, const ParameterValues& values, cons
     const glm::dvec2 texels = view.relief.tiling * glm::dvec2(height_map.width, height_map.height);
     grid.per_side = asked > 0 ? glm::dvec2(static_cast<double>(asked))
                               : glm::max(glm::ceil(texels / double(manifest.shape.texels_per_patch)), 1.0);
-    const Region region = visible_region(view);
+    const PatchRegion region = view.relief.boundary == Boundary::clip
+                                   ? PatchRegion{}
+                                   : visible_region(view.relief.base, view.camera, view.relief.height_scale);
     grid.first = glm::floor(region.low * grid.per_side);
     grid.count = glm::ceil(region.high * grid.per_side) - grid.first;
     return grid;
@@ -78,7 +55,7 @@ SceneUniforms make_scene_uniforms(const View& view, const Lighting& lighting, co
     const double half_width = half_height * view.resolution.width / view.resolution.height;
 
     SceneUniforms uniforms{};
-    uniforms.clip_from_world = glm::mat4(clip_from_world(view.camera, view.resolution));
+    uniforms.clip_from_world = glm::mat4(clip_from_world(view));
     uniforms.eye = glm::vec3(frame.eye);
     uniforms.height_scale = static_cast<float>(view.relief.height_scale);
     uniforms.forward = glm::vec3(frame.forward);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 
 namespace reliefbench {
@@ -87,8 +88,15 @@ TruthComparison compare_with_truth(const gpu::Device& device, const Technique& t
     return comparison;
 }
 
+glm::dvec3 tangent_direction(const View& view, int i, int j) {
+    const Ray ray = pixel_ray(view, i, j);
+    const std::optional<BaseEntry> entry = find_entry(view.relief.base, ray);
+    assert(entry);
+    return entry->frame.from_world(ray.direction);
+}
+
 double texels_through_relief(const View& view, const HeightMap& map, int i, int j) {
-    const glm::dvec3 direction = pixel_ray(view.camera, view.resolution, i, j).direction;
+    const glm::dvec3 direction = tangent_direction(view, i, j);
     return view.relief.height_scale * view.relief.tiling *
            std::hypot(direction.x * map.width(), direction.y * map.height()) / std::abs(direction.z);
 }

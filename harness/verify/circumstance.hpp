@@ -76,7 +76,11 @@ TruthComparison compare_with_truth(const gpu::Device& device, const Technique& t
                                    const ParameterValues& parameters, const CoordinateScene& scene, const View& view,
                                    const PreparationSettings& preparation = {});
 
-/// Texels that the ray of a pixel travels from h = 1 to h = 0: H·tanθ·N·tiling.
+/// The direction of a pixel's ray in the tangent space of the base where it enters: what it travels in u, in v and
+/// upwards over its length. The pixel must lie in F.
+glm::dvec3 tangent_direction(const View& view, int i, int j);
+
+/// Texels that the ray of a pixel in F travels from h = 1 to h = 0: H·tanθ·N·tiling.
 double texels_through_relief(const View& view, const HeightMap& map, int i, int j);
 
 /// The largest of texels_through_relief over the footprint.

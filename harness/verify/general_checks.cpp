@@ -97,9 +97,8 @@ Finding compare_pictures(const TimedPicture& timed, const Probe& probe, const He
             worst.place(timed.colour.size)};
 }
 
-double depth_of(const glm::dmat4& clip_from_world, const Hit& hit, const Relief& relief) {
-    const glm::dvec4 clip =
-        clip_from_world * glm::dvec4(hit.u - 0.5, hit.v - 0.5, (hit.h - 1.0) * relief.height_scale, 1.0);
+double depth_of(const glm::dmat4& clip_from_world, const glm::dvec3& point) {
+    const glm::dvec4 clip = clip_from_world * glm::dvec4(point, 1.0);
     return clip.z / clip.w;
 }
 
@@ -126,7 +125,7 @@ Finding check_hits(const TimedPicture& timed, const Probe& probe, const View& vi
     WorstPixel t;
     WorstPixel depth;
     std::size_t hits = 0;
-    const glm::dmat4 clip_from_world = reliefbench::clip_from_world(view.camera, view.resolution);
+    const glm::dmat4 clip_from_world = reliefbench::clip_from_world(view);
     for (std::size_t pixel = 0; pixel < probe.hits.texels.size(); ++pixel) {
         const Hit& hit = probe.hits.texels[pixel];
         if (!hit.is_hit()) continue;
@@ -135,10 +134,10 @@ Finding check_hits(const TimedPicture& timed, const Probe& probe, const View& vi
         if (excess > range_tolerance) ++out_of_range;
         range.offer(excess, pixel);
         const auto [i, j] = place_of(pixel, view.resolution);
-        const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
-        const glm::dvec3 point{hit.u - 0.5, hit.v - 0.5, (hit.h - 1.0) * view.relief.height_scale};
+        const Ray ray = pixel_ray(view, i, j);
+        const glm::dvec3 point = surface_point(view.relief, hit.u, hit.v, hit.h);
         t.offer(std::abs(glm::dot(point - ray.origin, ray.direction) - hit.t), pixel);
-        depth.offer(std::abs(depth_of(clip_from_world, hit, view.relief) - timed.depth.at(i, j)), pixel);
+        depth.offer(std::abs(depth_of(clip_from_world, point) - timed.depth.at(i, j)), pixel);
     }
     if (hits == 0) return {false, "nothing to check: no pixel is hit"};
     const WorstPixel& worst = out_of_range > 0 ? range : t.value() > place_tolerance ? t : depth;

@@ -70,7 +70,7 @@ BeyondFirstHit beyond_first_hit(const TruthComparison& comparison, const HeightM
         const Hit& hit = comparison.probe.hits.texels[pixel];
         const auto [i, j] = place_of(pixel, view.resolution);
         const double stride = texels_through_relief(view, map, i, j);
-        const glm::dvec3 direction = pixel_ray(view.camera, view.resolution, i, j).direction;
+        const glm::dvec3 direction = tangent_direction(view, i, j);
         const double texels_per_length = stride * std::abs(direction.z) / view.relief.height_scale;
         const double texels = hit.is_hit() ? (hit.t - truth.t) * texels_per_length : INFINITY;
         worst.offer(texels, pixel);

@@ -56,7 +56,7 @@ struct Frame {
         : camera(from), hits(resolution), footprint(resolution) {
         for (int j = 0; j < resolution.height; ++j) {
             for (int i = 0; i < resolution.width; ++i) {
-                const Ray ray = pixel_ray(camera, resolution, i, j);
+                const Ray ray = PixelRays(camera, resolution).at(i, j);
                 footprint.at(i, j) = footprint_entry(ray) ? 1 : 0;
                 const Hit hit = surface(ray);
                 const bool on_patch = hit.u >= 0 && hit.u <= 1 && hit.v >= 0 && hit.v <= 1;

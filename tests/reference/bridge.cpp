@@ -36,7 +36,7 @@ bool trace_exact(const Map& map, const double origin[3], const double direction[
 }
 
 void pixel_ray(const View& view, int i, int j, double origin[3], double direction[3]) {
-    const reliefbench::Ray ray = reliefbench::pixel_ray(make_camera(view), {view.width, view.height}, i, j);
+    const reliefbench::Ray ray = reliefbench::PixelRays(make_camera(view), {view.width, view.height}).at(i, j);
     for (int axis = 0; axis < 3; ++axis) {
         origin[axis] = ray.origin[axis];
         direction[axis] = ray.direction[axis];

@@ -138,7 +138,7 @@ TEST(Ties, AreWhereTouchesDecide) {
             int touches = 0;
             for (int j = 0; j < 32; ++j) {
                 for (int i = 0; i < 32; ++i) {
-                    const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
+                    const Ray ray = pixel_ray(view, i, j);
                     const auto eager = first_beneath(map, view, ray, -1e-9);
                     const auto strict = first_beneath(map, view, ray, 1e-9);
                     const bool differ =

@@ -67,7 +67,7 @@ TEST(Truth, OfASunkenPlane) {
             int misses_inside = 0;
             for (int j = 0; j < resolution.height; ++j) {
                 for (int i = 0; i < resolution.width; ++i) {
-                    const Ray ray = pixel_ray(camera, resolution, i, j);
+                    const Ray ray = PixelRays(camera, resolution).at(i, j);
                     const bool in_footprint = footprint_entry(ray).has_value();
                     ASSERT_EQ(truth.footprint.at(i, j), in_footprint ? 1 : 0);
                     const double t = (-0.1 - ray.origin.z) / ray.direction.z;
@@ -134,7 +134,7 @@ TEST(Truth, ColoursItsOwnHits) {
                 const auto colour = albedo.sample(2 * hit.u, 2 * hit.v);
                 expected = shade(lighting, {colour[0], colour[1], colour[2]},
                                  shading_normal(derivatives, view.relief, hit.u, hit.v),
-                                 -pixel_ray(view.camera, view.resolution, i, j).direction, hit.t);
+                                 -pixel_ray(view, i, j).direction, hit.t);
             }
             for (int channel = 0; channel < 3; ++channel)
                 EXPECT_NEAR(truth.colour.at(i, j)[channel], expected[channel], 1e-7);
@@ -155,7 +155,7 @@ TEST(MeshTracer, TrianglesAndGridsAreTheSameSurface) {
         int coverage_differs = 0;
         for (int j = 0; j < 60; ++j) {
             for (int i = 0; i < 60; ++i) {
-                const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
+                const Ray ray = pixel_ray(view, i, j);
                 if (boundary == Boundary::repeat && !footprint_entry(ray)) continue;
                 const auto a = grid.trace(ray);
                 const auto b = triangles.trace(ray);

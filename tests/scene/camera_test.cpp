@@ -113,7 +113,7 @@ TEST(Camera, PerspectiveRaysFollowTheFormula) {
                     const glm::dvec3 along =
                         forward + right * ((2 * (i + 0.5) / size.width - 1) * tangent * size.width / size.height) +
                         up * ((1 - 2 * (j + 0.5) / size.height) * tangent);
-                    const Ray ray = pixel_ray(camera, size, i, j);
+                    const Ray ray = PixelRays(camera, size).at(i, j);
                     expect_near(ray.origin, camera.distance * glm::dvec3(st * cp, st * sp, ct));
                     expect_near(ray.direction, along / glm::length(along));
                 }
@@ -127,7 +127,7 @@ TEST(Camera, ParallelRaysFillTheTarget) {
         for (const Resolution size : resolutions) {
             for (int j = 0; j < size.height; ++j) {
                 for (int i = 0; i < size.width; ++i) {
-                    const Ray ray = pixel_ray(camera, size, i, j);
+                    const Ray ray = PixelRays(camera, size).at(i, j);
                     const auto entry = footprint_entry(ray);
                     ASSERT_TRUE(entry);
                     EXPECT_NEAR(entry->x, (i + 0.5) / size.width, tolerance);
@@ -144,10 +144,10 @@ TEST(Camera, ProjectsPointsOfAPixelsRayOntoItsCentre) {
     for (const Projection projection : {Projection::perspective, Projection::parallel}) {
         for (const Camera& camera : cameras(projection)) {
             for (const Resolution size : resolutions) {
-                const glm::dmat4 clip = clip_from_world(camera, size);
+                const glm::dmat4 clip = clip_from_world(View{.camera = camera, .relief = {}, .resolution = size});
                 for (int j = 0; j < size.height; ++j) {
                     for (int i = 0; i < size.width; ++i) {
-                        const Ray ray = pixel_ray(camera, size, i, j);
+                        const Ray ray = PixelRays(camera, size).at(i, j);
                         for (const double t : {0.3, 1.0, 2.5}) {
                             const glm::dvec3 device = project(clip, ray.origin + t * ray.direction);
                             // Sliding along grazing rays multiplies rounding by tan θ, up to 57 here.
@@ -165,10 +165,10 @@ TEST(Camera, DepthOfVisibleReliefIsInRangeAndGrowsAlongRays) {
     for (const Projection projection : {Projection::perspective, Projection::parallel}) {
         for (const Camera& camera : cameras(projection)) {
             const Resolution size{16, 9};
-            const glm::dmat4 clip = clip_from_world(camera, size);
+            const glm::dmat4 clip = clip_from_world(View{.camera = camera, .relief = {}, .resolution = size});
             for (int j = 0; j < size.height; ++j) {
                 for (int i = 0; i < size.width; ++i) {
-                    const Ray ray = pixel_ray(camera, size, i, j);
+                    const Ray ray = PixelRays(camera, size).at(i, j);
                     if (!footprint_entry(ray)) continue;
                     double previous = -1;
                     for (int step = 0; step <= 10; ++step) {
@@ -188,7 +188,7 @@ TEST(Camera, DepthOfVisibleReliefIsInRangeAndGrowsAlongRays) {
 TEST(Camera, ThePatchesCornersAreInFrontOfTheNearPlane) {
     for (const Camera& camera : cameras(Projection::perspective)) {
         if (camera.distance < 1) continue;
-        const glm::dmat4 clip = clip_from_world(camera, {8, 8});
+        const glm::dmat4 clip = clip_from_world(View{.camera = camera, .relief = {}, .resolution = {8, 8}});
         for (const double x : {-0.5, 0.5}) {
             for (const double y : {-0.5, 0.5}) {
                 for (const double z : {0.0, -1.0}) {

@@ -29,7 +29,7 @@ TEST_F(CameraOnDevice, AgreesWithTheScenes) {
             for (int j = 0; j < view.resolution.height; ++j) {
                 for (int i = 0; i < view.resolution.width; ++i) {
                     const Hit& hit = probe.hits.at(i, j);
-                    const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
+                    const Ray ray = pixel_ray(view, i, j);
                     const auto entry = footprint_entry(ray);
                     EXPECT_EQ(hit.is_hit(), entry.has_value()) << i << ' ' << j << ' ' << angle;
                     if (!hit.is_hit() || !entry) continue;

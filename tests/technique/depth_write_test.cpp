@@ -29,7 +29,7 @@ View view_with(DepthWrite depth_write, Projection projection) {
 }
 
 double depth_of(const View& view, glm::dvec3 point) {
-    const glm::dvec4 clip = clip_from_world(view.camera, view.resolution) * glm::dvec4(point, 1);
+    const glm::dvec4 clip = clip_from_world(view) * glm::dvec4(point, 1);
     return clip.z / clip.w;
 }
 
@@ -55,7 +55,7 @@ TEST_F(DepthWriting, IsThatOfTheReliefOrOfThePolygon) {
                         continue;
                     }
                     ++hits;
-                    const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
+                    const Ray ray = pixel_ray(view, i, j);
                     const double to_polygon = -ray.origin.z / ray.direction.z;
                     const double t = depth_write == DepthWrite::off ? to_polygon : static_cast<double>(hit.t);
                     ASSERT_NEAR(timed.depth.at(i, j), depth_of(view, ray.origin + t * ray.direction), depth_tolerance);

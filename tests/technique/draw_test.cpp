@@ -230,7 +230,7 @@ TEST_F(Draw, CoveredIsTheFootprint) {
     const Probe probe = make_renderer(device(), folder.load(), scene, view).probe();
     for (int j = 0; j < 64; ++j) {
         for (int i = 0; i < 64; ++i) {
-            const bool inside = footprint_entry(pixel_ray(view.camera, view.resolution, i, j)).has_value();
+            const bool inside = footprint_entry(pixel_ray(view, i, j)).has_value();
             EXPECT_EQ(probe.covered.at(i, j), inside ? 1 : 0) << i << ' ' << j;
             EXPECT_EQ(probe.hits.at(i, j), Hit{});
         }

@@ -52,7 +52,7 @@ TEST_F(Tessellation, ConstantMapHasItsClosedForm) {
                 int compared = 0;
                 for (int j = 0; j < view.resolution.height; ++j) {
                     for (int i = 0; i < view.resolution.width; ++i) {
-                        const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
+                        const Ray ray = pixel_ray(view, i, j);
                         const double t = (-(1 - c) * view.relief.height_scale - ray.origin.z) / ray.direction.z;
                         const double u = ray.origin.x + t * ray.direction.x + 0.5;
                         const double v = ray.origin.y + t * ray.direction.y + 0.5;

@@ -103,7 +103,7 @@ TEST_F(ConeStep, IsDummersLoop) {
                     const Hit& hit = found.probe.hits.at(i, j);
                     if (!hit.is_hit()) continue;
                     ++hits;
-                    const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
+                    const Ray ray = pixel_ray(view, i, j);
                     const glm::dvec2 entry = view.relief.tiling * *footprint_entry(ray);
                     const glm::dvec2 max_offset =
                         view.relief.tiling * view.relief.height_scale / -ray.direction.z * glm::dvec2(ray.direction);

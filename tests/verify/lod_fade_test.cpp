@@ -59,7 +59,7 @@ TEST_F(LodFade, BetweenThemCoordinatesAreInterpolatedTowardsTheEntry) {
             for (int i = 0; i < view.resolution.width; ++i) {
                 const Hit& relief = off.probe.hits.at(i, j);
                 const Hit& faded = on.probe.hits.at(i, j);
-                const glm::dvec2 entry = *footprint_entry(pixel_ray(view.camera, view.resolution, i, j));
+                const glm::dvec2 entry = *footprint_entry(pixel_ray(view, i, j));
                 ASSERT_NEAR(faded.u, std::lerp(relief.u, entry.x, fade), level_tolerance) << technique;
                 ASSERT_NEAR(faded.v, std::lerp(relief.v, entry.y, fade), level_tolerance) << technique;
                 ASSERT_NEAR(faded.h, std::lerp(relief.h, 1.0, fade), level_tolerance) << technique;
@@ -78,7 +78,7 @@ TEST_F(LodFade, ByDistanceItFollowsTheEye) {
     int far = 0;
     for (int j = 0; j < view.resolution.height; ++j) {
         for (int i = 0; i < view.resolution.width; ++i) {
-            const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
+            const Ray ray = pixel_ray(view, i, j);
             const Hit& hit = on.probe.hits.at(i, j);
             if (!hit.is_hit()) continue;
             const double distance = -ray.origin.z / ray.direction.z;

@@ -26,7 +26,7 @@ protected:
                     const Hit& hit = found.probe.hits.at(i, j);
                     if (!hit.is_hit()) continue;
                     ++hits;
-                    const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
+                    const Ray ray = pixel_ray(view, i, j);
                     const glm::dvec2 entry = *footprint_entry(ray);
                     const glm::dvec2 expected = entry + offset(ray.direction);
                     ASSERT_NEAR(hit.u, expected.x, tolerance) << technique << " at " << i << ", " << j;

@@ -43,7 +43,7 @@ protected:
             for (int i = 0; i < view.resolution.width; ++i) {
                 const Hit& hit = found.probe.hits.at(i, j);
                 if (!hit.is_hit()) continue;
-                const glm::dvec2 entry = *footprint_entry(pixel_ray(view.camera, view.resolution, i, j));
+                const glm::dvec2 entry = *footprint_entry(pixel_ray(view, i, j));
                 all.push_back(view.relief.tiling * (glm::dvec2(hit.u, hit.v) - entry));
             }
         }
@@ -59,7 +59,7 @@ protected:
     /// where rounding may decide otherwise. `cross` makes the answer of the two samples around the crossing.
     template <typename Cross>
     static double march(const HeightMap& map, const View& view, int i, int j, int samples, const Cross& cross) {
-        const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
+        const Ray ray = pixel_ray(view, i, j);
         const glm::dvec2 entry = view.relief.tiling * *footprint_entry(ray);
         const glm::dvec2 u_max =
             view.relief.tiling * view.relief.height_scale / -ray.direction.z * glm::dvec2(ray.direction);
@@ -163,7 +163,7 @@ TEST_F(SourceDocuments, LunaRaysLeaveTheReliefAtTheMaximumOffset) {
     const CoordinateScene floor(device(), map_of({16, 16}, [](int, int) { return 0.0; }));
     View view = repeating(parallel_view(70, 25));
     view.relief.tiling = 5;
-    const glm::dvec3 to_eye = -pixel_ray(view.camera, view.resolution, 0, 0).direction;
+    const glm::dvec3 to_eye = -pixel_ray(view, 0, 0).direction;
     const glm::dvec2 u_max = -view.relief.height_scale * 5.0 / 1.0 * glm::dvec2(to_eye) / to_eye.z;
     // The lower end of the last interval, which is the floor; the middle lies above it.
     const std::vector<std::pair<std::string, ParameterValues>> techniques{
@@ -310,7 +310,7 @@ protected:
                               const std::function<glm::dvec3(glm::dvec2 entry)>& normal_of) {
         for (int j = 0; j < view.resolution.height; ++j) {
             for (int i = 0; i < view.resolution.width; ++i) {
-                const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
+                const Ray ray = pixel_ray(view, i, j);
                 const glm::dvec2 entry = *footprint_entry(ray);
                 // Where bilinear albedo wraps at the border it encodes no coordinates.
                 const glm::dvec2 texel = entry * glm::dvec2(map.width, map.height);
@@ -346,7 +346,7 @@ TEST_F(SourceDocuments, RizParallaxScalesByFourHundredthsAndBiasesByTwo) {
         compare("parallax", {{"offset_limiting", true}, {"scale", 1.0}, {"bias", 0.5}}, rock_, view);
     for (int j = 0; j < view.resolution.height; ++j) {
         for (int i = 0; i < view.resolution.width; ++i) {
-            const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
+            const Ray ray = pixel_ray(view, i, j);
             const glm::dvec2 entry = *footprint_entry(ray);
             const glm::dvec2 look = -glm::dvec2(ray.direction);
             const glm::dvec2 expected = entry + look * (rock_.map.sample(entry.x, entry.y) * 0.04 - 0.02);
@@ -408,7 +408,7 @@ TEST_F(SourceDocuments, Pv227DepthIsThatOfTheDisplacedPoint) {
     renderer.prepare();
     const Probe probe = renderer.probe();
     const TimedPicture timed = renderer.draw_timed(ColourTarget::display);
-    const glm::dmat4 clip_from_world = reliefbench::clip_from_world(view.camera, view.resolution);
+    const glm::dmat4 clip_from_world = reliefbench::clip_from_world(view);
     int behind_polygon = 0;
     for (int j = 0; j < view.resolution.height; ++j) {
         for (int i = 0; i < view.resolution.width; ++i) {
@@ -417,7 +417,7 @@ TEST_F(SourceDocuments, Pv227DepthIsThatOfTheDisplacedPoint) {
             const glm::dvec3 displaced{hit.u - 0.5, hit.v - 0.5, (hit.h - 1.0) * view.relief.height_scale};
             const glm::dvec4 clip = clip_from_world * glm::dvec4(displaced, 1);
             ASSERT_NEAR(timed.depth.at(i, j), clip.z / clip.w, 1e-5);
-            const Ray ray = pixel_ray(view.camera, view.resolution, i, j);
+            const Ray ray = pixel_ray(view, i, j);
             const glm::dvec2 entry = *footprint_entry(ray);
             const glm::dvec4 polygon = clip_from_world * glm::dvec4(entry.x - 0.5, entry.y - 0.5, 0, 1);
             if (timed.depth.at(i, j) > polygon.z / polygon.w + 1e-5) ++behind_polygon;

@@ -1,0 +1,79 @@
+#include "scene/surface/plane.hpp"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr TangentFrame plane_frame{.along_u = {1, 0, 0}, .along_v = {0, 1, 0}, .normal = {0, 0, 1}};
+
+}  // namespace
+
+glm::dvec3 base_point(const Plane& /*plane*/, glm::dvec2 uv, double above) {
+    return {uv.x - 0.5, uv.y - 0.5, above};
+}
+
+TangentFrame tangent_frame(const Plane& /*plane*/, glm::dvec2 /*uv*/) {
+    return plane_frame;
+}
+
+glm::dvec3 relief_normal(const Plane& /*plane*/, glm::dvec2 /*uv*/, glm::dvec2 slope) {
+    return glm::normalize(glm::dvec3(-slope.x, -slope.y, 1.0));
+}
+
+std::optional<BaseEntry> find_entry(const Plane& plane, const Ray& ray) {
+    if (ray.direction.z >= 0 || ray.origin.z < 0) return std::nullopt;
+    const double t = crossing_t(plane, ray);
+    const glm::dvec2 uv{ray.origin.x + t * ray.direction.x + 0.5, ray.origin.y + t * ray.direction.y + 0.5};
+    if (uv.x < 0 || uv.x > 1 || uv.y < 0 || uv.y > 1) return std::nullopt;
+    return BaseEntry{.uv = uv, .t = t, .frame = plane_frame};
+}
+
+std::optional<Ray> light_ray(const Plane& /*plane*/, glm::dvec2 /*uv*/, const glm::dvec3& point,
+                             const glm::dvec3& to_light) {
+    if (to_light.z <= 0) return std::nullopt;
+    return Ray{point - to_light * (point.z / to_light.z), -to_light};
+}
+
+Ray started_above(const Plane& plane, const Ray& ray, double height) {
+    return {ray.origin + ray.direction * rise_t(plane, ray, height), ray.direction};
+}
+
+Ray shifted(const Plane& /*plane*/, const Ray& ray, const glm::dvec3& by) {
+    return {ray.origin + by, ray.direction};
+}
+
+double nearest_depth(const Plane& /*plane*/, const Camera& camera, double cosine_of_corner) {
+    // Two bounds hold: that of the patch's nearest corner, and, for an eye above the patch itself, the eye's height
+    // over the plane seen at the picture's corner.
+    const glm::dvec3 eye = camera_frame(camera).eye;
+    const double nearest_corner = camera.distance - (std::abs(eye.x) + std::abs(eye.y)) / (2 * camera.distance);
+    return std::max(nearest_corner, eye.z * cosine_of_corner);
+}
+
+ParallelWindow parallel_window(const Plane& /*plane*/, const Camera& /*camera*/, double /*height_scale*/) {
+    return {};
+}
+
+PatchRegion visible_region(const Plane& /*plane*/, const Camera& camera, double height_scale) {
+    // Where a ray leaves the slab depends linearly on where it enters: the corners bound it.
+    PatchRegion region;
+    const CameraFrame frame = camera_frame(camera);
+    for (const glm::dvec2 corner : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(1, 1)}) {
+        glm::dvec2 reached;
+        if (camera.projection == Projection::parallel) {
+            reached = corner - glm::dvec2(frame.forward) * (height_scale / frame.forward.z);
+        } else {
+            const glm::dvec2 below_eye = glm::dvec2(frame.eye) + 0.5;
+            reached = below_eye + (corner - below_eye) * ((frame.eye.z + height_scale) / frame.eye.z);
+        }
+        region.low = glm::min(region.low, reached);
+        region.high = glm::max(region.high, reached);
+    }
+    return region;
+}
+
+}  // namespace reliefbench
