@@ -132,11 +132,16 @@ struct Shape {
 /// trace.glsl).
 std::vector<std::string> stage_files(Shape::Kind shape);
 
+/// Contract 1 is that of version 0.1.0, 2 that of version 0.2.0.
+inline constexpr int newest_contract = 2;
+
 /// technique.json, read and checked. Pure data. Its schema is told in docs/adding_a_technique.md.
 struct Manifest {
     /// The folder's name.
     std::string id;
     std::string title;
+    /// Of what its shaders see and answer (docs/adding_a_technique.md), from 1 to newest_contract.
+    int contract = 1;
     /// For grouping in lists: texture, parallax, march, hierarchy, cone or geometry.
     std::string kind;
     std::string citation;

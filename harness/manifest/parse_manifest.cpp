@@ -8,6 +8,7 @@
 #include "manifest/words.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 namespace reliefbench {
@@ -260,6 +261,15 @@ PromiseDeclaration parse_promise(const JsonView& view, const Manifest& manifest)
     return declared;
 }
 
+int parse_contract(const JsonView& view) {
+    const std::int64_t contract = view.integer(1, std::numeric_limits<int>::max());
+    if (contract > newest_contract) {
+        view.fail_here(fmt::format("this version of reliefbench knows the contracts 1 to {}, and not {}",
+                                   newest_contract, contract));
+    }
+    return static_cast<int>(contract);
+}
+
 void check_id(const std::string& id, const std::string& file) {
     const bool fits = !id.empty() && id.front() >= 'a' && id.front() <= 'z' && std::ranges::all_of(id, [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
@@ -278,11 +288,13 @@ Manifest parse_manifest(const Json& json, const std::string& id, const std::stri
                         const std::filesystem::path& shared, const std::filesystem::path& folder) {
     check_id(id, file);
     const JsonView view(json, file);
-    view.require_only({"title", "kind", "citation", "include", "parameters", "sample_count", "sample_count_minimum",
-                       "search_cap", "features", "needs", "maps", "passes", "shape", "promises"});
+    view.require_only({"title", "contract", "kind", "citation", "include", "parameters", "sample_count",
+                       "sample_count_minimum", "search_cap", "features", "needs", "maps", "passes", "shape",
+                       "promises"});
     Manifest manifest;
     manifest.id = id;
     manifest.title = parse_line(view.at("title"));
+    if (view.has("contract")) manifest.contract = parse_contract(view.at("contract"));
     manifest.kind = kinds[view.at("kind").choice(kinds)];
     manifest.citation = parse_line(view.at("citation"));
 

@@ -31,6 +31,11 @@ bool marches(const std::string& kind) {
     return kind == "march" || kind == "hierarchy" || kind == "cone";
 }
 
+/// What relief.glsl goes by.
+std::string declare_contract(const Manifest& manifest) {
+    return manifest.contract == 1 ? "#define RELIEFBENCH_CONTRACT_1 1\n" : "";
+}
+
 /// A constant with its value, and a macro for the preprocessor: what layout qualifiers are chosen by.
 std::string declare_compile_time(const Parameter& parameter, const ParameterValue& value) {
     if (parameter.type == ParameterType::boolean) {
@@ -146,7 +151,7 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
                                              DepthWrite depth_write) {
     const Manifest& manifest = technique.manifest;
     const bool probed = variant == Variant::probed;
-    std::string preamble = probed ? probed_definition : "";
+    std::string preamble = declare_contract(manifest) + (probed ? probed_definition : "");
     if (indexes_scene(device)) preamble += "#define RELIEFBENCH_INDEXED_SCENE 1\n";
     if (marches(manifest.kind)) preamble += "#define RELIEFBENCH_OWN_MARCH 1\n";
     if (depth_write != DepthWrite::off) preamble += "#define RELIEFBENCH_WRITE_DEPTH 1\n";
@@ -182,7 +187,8 @@ gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& tech
                                 const ParameterValues& parameters, const PassDeclaration& pass, Variant variant) {
     const Manifest& manifest = technique.manifest;
     const bool probed = variant == Variant::probed;
-    std::string preamble = (probed ? probed_definition : "") + declare_parameters(manifest, parameters);
+    std::string preamble =
+        declare_contract(manifest) + (probed ? probed_definition : "") + declare_parameters(manifest, parameters);
     for (const std::size_t map : maps_before(manifest, pass))
         preamble += declare_map(manifest.maps[map], map);
     const MapDeclaration& target = find_map(manifest, pass.writes);

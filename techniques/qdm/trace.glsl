@@ -3,9 +3,9 @@
 // As published: the chord between the filtered heights at both ends of the node.
 float cross_leaf_linear(ReliefRay ray, Place place, Node node) {
     float h = tap_height(point_on_ray(ray, place.s));
-    float above = 1.0 - place.s - h;
+    float above = height_of_ray(ray, place.s) - h;
     if (above <= 0.0 || (place.s == 0.0 && enters_surface(h))) return 0.0;
-    float below = tap_height(point_on_ray(ray, node.exit)) - (1.0 - node.exit);
+    float below = tap_height(point_on_ray(ray, node.exit)) - height_of_ray(ray, node.exit);
     return below < 0.0 ? no_crossing : above / (above + below);
 }
 
@@ -16,8 +16,8 @@ float cross_leaf_corners(CellRay ray, Place place, Node node) {
     vec2 size = vec2(node.high - node.low);
     vec2 corner = (ray.origin - vec2(node.low + place.shift)) / size;
     vec2 way = ray.direction / size;
-    return cross_patch(corners, vec3(corner + place.s * way, 1.0 - place.s),
-                       vec3(corner + node.exit * way, 1.0 - node.exit));
+    return cross_patch(corners, vec3(corner + place.s * way, height_of_ray(ray.relief, place.s)),
+                       vec3(corner + node.exit * way, height_of_ray(ray.relief, node.exit)));
 }
 
 // The fraction of the ray's way from its place to the leaf's wall at which it hits, or no_crossing.
@@ -25,10 +25,10 @@ float cross_leaf(ReliefRay ray, CellRay cells, int leaf_level, inout Walk walk) 
     // The exact leaf reads a cell's corners in one tap, which makes a look at its maximum needless.
     if (leaf == leaf_exact && leaf_level == 0) return cross_cell(cells, walk.place, walk.node);
     float top = tap_map_texel(quadtree, walk.node.index, leaf_level).r;
-    if (1.0 - walk.node.exit >= top) return no_crossing;
+    if (height_of_ray(ray, walk.node.exit) >= top) return no_crossing;
     if (leaf == leaf_exact) return cross_leaf_corners(cells, walk.place, walk.node);
     if (leaf == leaf_linear) return cross_leaf_linear(ray, walk.place, walk.node);
-    walk.place = move_within(cells, walk.place, walk.node, max(walk.place.s, 1.0 - top));
+    walk.place = move_within(cells, walk.place, walk.node, max(walk.place.s, s_at_height(ray, top)));
     return 0.0;
 }
 

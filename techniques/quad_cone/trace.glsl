@@ -4,9 +4,10 @@
 vec2 tap_cone(ReliefRay ray, float s) {
     vec2 uv = point_on_ray(ray, s);
     vec4 ratios = tap_map(cones, uv, 0.0);
-    bool along_u = abs(ray.max_offset.x) >= abs(ray.max_offset.y);
+    vec2 offset = straight_offset(ray);
+    bool along_u = abs(offset.x) >= abs(offset.y);
     vec2 pair = along_u ? ratios.xy : ratios.zw;
-    float way = along_u ? ray.max_offset.x : ray.max_offset.y;
+    float way = along_u ? offset.x : offset.y;
     return vec2(tap_height(uv), way >= 0.0 ? pair.x : pair.y);
 }
 

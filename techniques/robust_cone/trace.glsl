@@ -14,8 +14,9 @@ float least_step(ReliefRay ray, float s) {
     if (!minimum_step) return 0.0;
     vec2 size = vec2(height_map_size());
     vec2 in_cell = fract(point_on_ray(ray, s) * size - 0.5);
-    vec2 way = mix(in_cell, 1.0 - in_cell, greaterThan(ray.max_offset, vec2(0.0)));
-    vec2 walls = (way / size + beyond_wall) / max(abs(ray.max_offset), vec2(slowest));
+    vec2 offset = straight_offset(ray);
+    vec2 way = mix(in_cell, 1.0 - in_cell, greaterThan(offset, vec2(0.0)));
+    vec2 walls = (way / size + beyond_wall) / max(abs(offset), vec2(slowest));
     return min(walls.x, walls.y);
 }
 

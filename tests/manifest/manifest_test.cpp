@@ -175,6 +175,9 @@ TEST(Manifest, WhatIsWrongIsNamedWithItsPlace) {
     const Broken cases[] = {
         {"/titel", "1", "technique.json: $: unknown key \"titel\" (did you mean 'title'?)"},
         {"/title", "\"\"", "technique.json: $.title: expected one line of text"},
+        {"/contract", "3", "$.contract: this version of reliefbench knows the contracts 1 to 2, and not 3"},
+        {"/contract", "0", "$.contract: expected an integer from 1"},
+        {"/contract", "\"2\"", "$.contract: expected an integer"},
         {"/kind", "\"marsh\"", "(did you mean 'march'?)"},
         {"/parameters/0/default", "0",
          "$.parameters[0].default: max_steps cannot be 0: it is an integer from 1 to 256"},

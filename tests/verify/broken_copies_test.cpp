@@ -41,8 +41,9 @@ TEST_F(BrokenCopies, Order1FindsHalfAStepTooFar) {
 }
 
 TEST_F(BrokenCopies, Order1FindsSwappedHalvesOfTheBinarySearch) {
-    expect_broken_promise(BrokenCopy("relief", "refinement.glsl", "< 1.0 - middle)", ">= 1.0 - middle)"),
-                          Promise::order_1);
+    expect_broken_promise(
+        BrokenCopy("relief", "refinement.glsl", "< height_of_ray(ray, middle))", ">= height_of_ray(ray, middle))"),
+        Promise::order_1);
 }
 
 TEST_F(BrokenCopies, Order1FindsAMissingHalving) {
@@ -93,7 +94,8 @@ TEST_F(BrokenCopies, Order1FindsAFinerMarchThatSkipsItsFirstStep) {
 
 TEST_F(BrokenCopies, FirstHitFindsNodesSkippedByTheirEntry) {
     expect_broken_promise(
-        BrokenCopy("qdm", "quadtree_walk.glsl", "if (1.0 - walk.node.exit < top)", "if (1.0 - walk.place.s < top)"),
+        BrokenCopy("qdm", "quadtree_walk.glsl", "if (height_of_ray(ray.relief, walk.node.exit) < top)",
+                   "if (height_of_ray(ray.relief, walk.place.s) < top)"),
         Promise::first_hit);
 }
 
@@ -133,9 +135,10 @@ TEST_F(BrokenCopies, ConservativeFindsATreeWithoutTheCellsFarCorners) {
 }
 
 TEST_F(BrokenCopies, FirstHitFindsABoxEnteredOneLevelTooHigh) {
-    expect_broken_promise(BrokenCopy("max_mip", "quadtree_walk.glsl", "if (1.0 - walk.node.exit < top)",
-                                     "if (1.0 - 0.5 * (walk.place.s + walk.node.exit) < top)"),
-                          Promise::first_hit);
+    expect_broken_promise(
+        BrokenCopy("max_mip", "quadtree_walk.glsl", "if (height_of_ray(ray.relief, walk.node.exit) < top)",
+                   "if (height_of_ray(ray.relief, 0.5 * (walk.place.s + walk.node.exit)) < top)"),
+        Promise::first_hit);
 }
 
 TEST_F(BrokenCopies, FirstHitFindsMaximumMipmapsOverThreeOfFourNodes) {
@@ -146,7 +149,7 @@ TEST_F(BrokenCopies, FirstHitFindsMaximumMipmapsOverThreeOfFourNodes) {
 }
 
 TEST_F(BrokenCopies, ConservativeFindsBoxesPassedThroughToTheirFarWall) {
-    expect_broken_promise(BrokenCopy("max_mip", "quadtree_walk.glsl", "max(walk.place.s, 1.0 - top)",
+    expect_broken_promise(BrokenCopy("max_mip", "quadtree_walk.glsl", "max(walk.place.s, s_at_height(ray.relief, top))",
                                      "0.5 * (walk.place.s + walk.node.exit)"),
                           Promise::conservative);
 }
@@ -159,7 +162,7 @@ TEST_F(BrokenCopies, ConservativeFindsDistancesNotReducedByTheVoxel) {
 
 TEST_F(BrokenCopies, ConservativeFindsStepsAlongTheHeightAlone) {
     expect_broken_promise(
-        BrokenCopy("distance_map", "trace.glsl", "length(vec3(ray.max_offset, metric_height))", "metric_height"),
+        BrokenCopy("distance_map", "trace.glsl", "length(vec3(straight_offset(ray), metric_height))", "metric_height"),
         Promise::conservative);
 }
 

@@ -5,19 +5,12 @@
 // docs/adding_a_technique.md is its description.
 
 #include "taps.glsl"
-
-// The point at ray parameter s in [0, 1] is uv + s * max_offset, at height 1 - s.
-struct ReliefRay {
-    vec2 uv;          // texture coordinates where the ray enters the relief, at h = 1
-    vec2 max_offset;  // texture coordinates travelled from h = 1 to h = 0
-    vec3 to_eye;      // unit vector in tangent space
-    float height;     // height scale in units of texture coordinates
-    // Of the pixel's footprint on the polygon: derivatives of `uv` in screen space, and the level of the height map's mip
-    // chain whose texels are as large, negative where texels are larger than pixels.
-    vec2 uv_dx;
-    vec2 uv_dy;
-    float level;
-};
+// The manifest says to which contract the technique is written.
+#ifdef RELIEFBENCH_CONTRACT_1
+#include "relief_ray_1.glsl"
+#else
+#include "relief_ray.glsl"
+#endif
 
 // A ray that enters the relief over a height of at least 1 - this has hit it there, at s = 0: the mirror of
 // entry_tolerance in harness/scene/relief.hpp. A search that starts with a look at the entry asks enters_surface.
@@ -55,7 +48,5 @@ float footprint_level(vec2 uv_dx, vec2 uv_dy) {
     vec2 size = vec2(height_map_size());
     return log2(max(length(uv_dx * size), length(uv_dy * size)));
 }
-
-vec2 point_on_ray(ReliefRay ray, float s) { return ray.uv + s * ray.max_offset; }
 
 #endif

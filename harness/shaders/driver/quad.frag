@@ -1,6 +1,7 @@
 // A per-pixel technique: its trace() from the ray of this pixel, then the boundary, the depth, the shadows and the colour.
 
 #include "lod_fade.glsl"
+#include "plane_ray.glsl"
 #include "relief.glsl"
 #include "scene.glsl"
 #include "surface.glsl"
@@ -30,8 +31,8 @@ void main() {
     vec2 uv = scene.tiling * view.entry;
     vec2 uv_dx = dFdx(uv);
     vec2 uv_dy = dFdy(uv);
-    ReliefRay ray = ReliefRay(uv, scene.tiling * max_offset, -view.direction, scene.tiling * scene.height_scale, uv_dx,
-                              uv_dy, footprint_level(uv_dx, uv_dy));
+    ReliefRay ray = plane_ray(uv, scene.tiling * max_offset, -view.direction, uv_dx, uv_dy,
+                              footprint_level(uv_dx, uv_dy));
     float fade = lod_fade_at(ray, view.entry_t);
 #ifdef RELIEFBENCH_PROBED
     count_begin(scene.resolution, gl_FragCoord.xy);
@@ -47,7 +48,7 @@ void main() {
 
     vec4 hit;
     if (found.kind == trace_on_ray) {
-        hit = vec4(view.entry + found.s * max_offset, 1.0 - found.s, view.entry_t + found.s * t_per_s);
+        hit = vec4(view.entry + found.s * max_offset, height_of_ray(ray, found.s), view.entry_t + found.s * t_per_s);
     } else {
         hit = vec4(found.uv / scene.tiling, found.h, 0.0);
         hit.w = dot(surface_point(hit.xy, hit.z) - view.origin, view.direction);

@@ -5,6 +5,7 @@
 // harness/scene/self_shadow.hpp, over the technique's own trace() where it marches.
 
 #include "checked_trace.glsl"
+#include "plane_ray.glsl"
 #include "relief.glsl"
 #include "scene.glsl"
 
@@ -34,10 +35,11 @@ float shadow_layers(vec3 to_light) {
 // Where a ray from the light enters the relief that is there: at h = 1, or through the side of a clipped patch.
 float enter_relief(ReliefRay ray, float s_point) {
     if (relief_repeats) return 0.0;
-    vec2 side = vec2(greaterThan(-ray.max_offset, vec2(0.0))) * scene.tiling;
+    vec2 offset = straight_offset(ray);
+    vec2 side = vec2(greaterThan(-offset, vec2(0.0))) * scene.tiling;
     // Of a ray along an axis the other one's quotient is infinite or, on the border itself, no number: neither counts.
-    vec2 s = (side - ray.uv) / ray.max_offset;
-    float first = max(ray.max_offset.x == 0.0 ? 0.0 : s.x, ray.max_offset.y == 0.0 ? 0.0 : s.y);
+    vec2 s = (side - ray.uv) / offset;
+    float first = max(offset.x == 0.0 ? 0.0 : s.x, offset.y == 0.0 ? 0.0 : s.y);
     return clamp(first, 0.0, s_point);
 }
 
@@ -50,7 +52,7 @@ bool march_to_point(ReliefRay ray, float s_first, float s_point, float s_end) {
         float s = mix(s_first, s_point, float(i) / float(layers));
         if (s >= s_end) return false;
         float h = tap_height(point_on_ray(ray, s));
-        bool beneath = s == 0.0 ? enters_surface(h) : h > 1.0 - s;
+        bool beneath = s == 0.0 ? enters_surface(h) : h > height_of_ray(ray, s);
         if (above && beneath) return true;
         above = !beneath;
     }
@@ -67,7 +69,7 @@ float hard_visibility(ReliefRay ray, float s_point) {
     if (s_first <= 0.0) {
         Trace found = checked_trace(ray);
         if (found.kind == trace_miss || !found.converged) return 1.0;
-        float s_found = found.kind == trace_on_ray ? found.s : 1.0 - found.h;
+        float s_found = found.kind == trace_on_ray ? found.s : s_at_height(ray, found.h);
         return s_found < s_end ? 0.0 : 1.0;
     }
 #endif
@@ -83,7 +85,7 @@ float dykhta_visibility(ReliefRay ray, vec2 uv, float s_point) {
     float shadow = 0.0;
     for (float i = 1.0; i < layers; ++i) {
         float risen = s_start * i / layers;
-        vec2 place = uv - risen * ray.max_offset;
+        vec2 place = uv - risen * straight_offset(ray);
         if (!casts_shadow(place)) break;
         float beneath = (s_start - risen) - (1.0 - tap_height(place));
         shadow = max(shadow, beneath * (1.0 - i / layers));
@@ -94,7 +96,7 @@ float dykhta_visibility(ReliefRay ray, vec2 uv, float s_point) {
 // Tatarchuk 2006, as in the DirectX SDK's sample: the highest of a few heights above the light's way, which rises by 1
 // within the light's own offset, not divided by its z.
 float tatarchuk_visibility(ReliefRay ray, vec2 uv, float h) {
-    vec2 full_offset = ray.height * ray.to_eye.xy;
+    vec2 full_offset = scene.tiling * scene.height_scale * ray.to_eye.xy;
     float shadow = 0.0;
     for (int i = 0; i < tatarchuk_taps; ++i) {
         vec2 blocker = uv + tatarchuk_distances[i] * full_offset;
@@ -113,7 +115,7 @@ float visibility_of_light(vec3 to_light, vec2 uv, float h, ReliefRay view_ray) {
     float height = scene.tiling * scene.height_scale;
     vec2 max_offset = -height * to_light.xy / to_light.z;
     float s_point = 1.0 - h;
-    ReliefRay ray = ReliefRay(uv - s_point * max_offset, max_offset, to_light, height, view_ray.uv_dx, view_ray.uv_dy,
+    ReliefRay ray = plane_ray(uv - s_point * max_offset, max_offset, to_light, view_ray.uv_dx, view_ray.uv_dy,
                               view_ray.level);
     if (self_shadow == self_shadow_hard) return hard_visibility(ray, s_point);
     if (self_shadow == self_shadow_dykhta) return dykhta_visibility(ray, uv, s_point);

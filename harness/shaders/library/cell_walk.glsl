@@ -14,6 +14,7 @@ struct CellRay {
     vec2 inverse;
     bvec2 forward;
     ivec2 size;      // of the map
+    ReliefRay relief;
 };
 
 struct Place {
@@ -36,10 +37,11 @@ CellRay to_cells(ReliefRay ray, vec2 entry) {
     CellRay cells;
     cells.size = height_map_size();
     cells.origin = entry - floor(entry);
-    cells.direction = ray.max_offset * vec2(cells.size);
+    cells.direction = straight_offset(ray) * vec2(cells.size);
     bvec2 still = lessThan(abs(cells.direction), vec2(slowest));
     cells.forward = bvec2(still.x || cells.direction.x > 0.0, still.y || cells.direction.y > 0.0);
     cells.inverse = 1.0 / mix(cells.direction, vec2(slowest), still);
+    cells.relief = ray;
     return cells;
 }
 
@@ -58,7 +60,7 @@ Node node_at(CellRay ray, Place place, int tree_level) {
     node.low = node.index << tree_level;
     node.high = min(node.low + (1 << tree_level), ray.size);
     node.walls = (vec2(place.shift + mix(node.low, node.high, ray.forward)) - ray.origin) * ray.inverse;
-    node.exit = clamp(min(node.walls.x, node.walls.y), place.s, 1.0);
+    node.exit = clamp(min(node.walls.x, node.walls.y), place.s, end_of_ray(ray.relief));
     return node;
 }
 
@@ -86,8 +88,8 @@ Place cross_wall(CellRay ray, Place place, Node node) {
 float cross_cell(CellRay ray, Place place, Node cell_node) {
     vec4 corners = tap_height_cell(place.cell);
     vec2 corner = ray.origin - vec2(place.cell + place.shift);
-    vec3 from = vec3(corner + place.s * ray.direction, 1.0 - place.s);
+    vec3 from = vec3(corner + place.s * ray.direction, height_of_ray(ray.relief, place.s));
     if (place.s == 0.0 && enters_surface(patch_height(corners, from.xy))) return 0.0;
-    vec3 to = vec3(corner + cell_node.exit * ray.direction, 1.0 - cell_node.exit);
+    vec3 to = vec3(corner + cell_node.exit * ray.direction, height_of_ray(ray.relief, cell_node.exit));
     return cross_patch(corners, from, to);
 }

@@ -19,9 +19,6 @@ bool looks_for_bumps();
 // never there.
 const float contact = 0.5 / 65535.0;
 
-// The ray's end at h = 0, where it is at or beneath the surface.
-const float far_end = 1.0;
-
 struct ConeSearch {
     // Where it holds none, because the search ended above the surface, both ends are the last point known to lie there.
     Crossing crossing;
@@ -34,7 +31,7 @@ struct ConeSearch {
 // between: the surface rises above the straight line between its ends by at most half the product of the way's lengths
 // along both axes of the texture, in texels.
 bool may_pass_bump(ReliefRay ray, float s, float gap, float s_end, float gap_end) {
-    vec2 way = (s_end - s) * ray.max_offset * vec2(height_map_size());
+    vec2 way = (s_end - s) * straight_offset(ray) * vec2(height_map_size());
     float reach = sqrt(gap) + sqrt(gap_end);
     return reach * reach < 2.0 * abs(way.x * way.y);
 }
@@ -42,7 +39,7 @@ bool may_pass_bump(ReliefRay ray, float s, float gap, float s_end, float gap_end
 // Whether it is; then `s_lowest` is where it is deepest. Along the way the gap is a parabola, which one more point tells.
 bool passes_bump(ReliefRay ray, float s, float gap, float s_end, float gap_end, out float s_lowest) {
     float middle = 0.5 * (s + s_end);
-    float gap_middle = (1.0 - middle) - tap_along(ray, middle);
+    float gap_middle = height_of_ray(ray, middle) - tap_along(ray, middle);
     // gap(t) = a t^2 + b t + gap, t from 0 to 1.
     float a = 2.0 * (gap + gap_end - 2.0 * gap_middle);
     float b = gap_end - gap - a;
@@ -60,12 +57,14 @@ struct ConePoint {
 
 ConePoint tap_point(ReliefRay ray, float s) {
     vec2 cone = tap_cone(ray, s);
-    return ConePoint(s, cone, (1.0 - s) - cone.x);
+    return ConePoint(s, cone, height_of_ray(ray, s) - cone.x);
 }
 
 // Each step goes to the end of its cone, or the least step where that is longer, and `added` further, in s.
 ConeSearch search_cones(ReliefRay ray, int most_steps, float added) {
-    float speed = length(ray.max_offset);
+    // Where the ray is at or beneath the surface.
+    float far_end = end_of_ray(ray);
+    float speed = length(straight_offset(ray));
     ConePoint start = tap_point(ray, 0.0);
     ConePoint end = start;
     float cone_end = 0.0;
@@ -103,7 +102,7 @@ ConeSearch search_cones(ReliefRay ray, int most_steps) { return search_cones(ray
 // The ray parameter of a way of so many texels along the ray, up and down included.
 float texels_along(ReliefRay ray, float texels) {
     vec2 size = vec2(height_map_size());
-    return texels / length(vec3(ray.max_offset, ray.height) * vec3(size, max(size.x, size.y)));
+    return texels / length(vec3(straight_offset(ray), height_in_uv(ray)) * vec3(size, max(size.x, size.y)));
 }
 
 // The answer of a search that ended above the surface, or whose crossing is taken as it was found.

@@ -6,7 +6,7 @@
 Trace refine(ReliefRay ray, ConeSearch search) {
     Refined refined = unrefined(search);
     if (holds_crossing(search)) {
-        if (refinement == refinement_linear) refined = refine_linearly(search.crossing);
+        if (refinement == refinement_linear) refined = refine_linearly(ray, search.crossing);
         if (refinement == refinement_secant) refined = refine_by_secants(ray, search.crossing, secant_steps);
         if (refinement == refinement_binary) refined = refine_by_halving(ray, search.crossing, binary_steps);
     }

@@ -17,7 +17,12 @@ struct Crossing {
 float tap_along(ReliefRay ray, float s);
 
 // How far the ends lie above and beneath the surface, in units of the height scale: positive, or 0 on the surface.
+float gap_above(ReliefRay ray, Crossing crossing) { return height_of_ray(ray, crossing.s_above) - crossing.h_above; }
+float gap_below(ReliefRay ray, Crossing crossing) { return crossing.h_below - height_of_ray(ray, crossing.s_below); }
+
+#ifdef RELIEFBENCH_CONTRACT_1
 float gap_above(Crossing crossing) { return (1.0 - crossing.s_above) - crossing.h_above; }
 float gap_below(Crossing crossing) { return crossing.h_below - (1.0 - crossing.s_below); }
+#endif
 
 #endif

@@ -27,7 +27,7 @@ float unrounded_layers(ReliefRay ray) {
     float least = float(min_steps);
     if (adaptive_by == adaptive_by_angle) return mix(least, most, acos(min(ray.to_eye.z, 1.0)) / grazing_angle);
     if (adaptive_by == adaptive_by_texels) {
-        float texels = length(ray.max_offset * vec2(height_map_size()));
+        float texels = length(straight_offset(ray) * vec2(height_map_size()));
         return max(least, min(most, layers_per_texel * texels));
     }
     return mix(most, least, ray.to_eye.z);
@@ -40,26 +40,26 @@ float layer_count(ReliefRay ray) {
     return step_rounding == step_rounding_fractional ? layers : floor(layers);
 }
 
-// Where the ray first passes beneath the surface, between two neighbouring layers. The last layer lies at h = 0, where
-// every ray is at or beneath the surface: a crossing is always found. Of a fractional number of layers the last is
-// thinner, and comes and goes without a jump.
+// Where the ray first passes beneath the surface, between two neighbouring layers. The last layer lies at the ray's end,
+// at h = 0, where every ray is at or beneath the surface: a crossing is always found. Of a fractional number of layers the
+// last is thinner, and comes and goes without a jump.
 Crossing find_crossing(ReliefRay ray, float layers) {
     float h = tap_along(ray, 0.0);
     if (enters_surface(h)) h = 1.0;
     Crossing crossing = Crossing(0.0, h, 0.0, h, 0);
-    while (float(crossing.steps) < layers && crossing.h_below < 1.0 - crossing.s_below) {
+    while (float(crossing.steps) < layers && crossing.h_below < height_of_ray(ray, crossing.s_below)) {
         crossing.steps += 1;
         crossing.s_above = crossing.s_below;
         crossing.h_above = crossing.h_below;
-        crossing.s_below = float(crossing.steps) / layers;
-        if (step_rounding == step_rounding_fractional) crossing.s_below = min(crossing.s_below, 1.0);
+        crossing.s_below = float(crossing.steps) / layers * end_of_ray(ray);
+        if (step_rounding == step_rounding_fractional) crossing.s_below = min(crossing.s_below, end_of_ray(ray));
         crossing.h_below = tap_along(ray, crossing.s_below);
     }
     return crossing;
 }
 
 Refined refine(ReliefRay ray, Crossing crossing, float layers) {
-    if (refinement == refinement_linear) return refine_linearly(crossing);
+    if (refinement == refinement_linear) return refine_linearly(ray, crossing);
     if (refinement == refinement_secant) return refine_by_secants(ray, crossing, secant_steps);
     if (refinement == refinement_binary) return refine_by_halving(ray, crossing, binary_steps);
     if (refinement == refinement_contact) {

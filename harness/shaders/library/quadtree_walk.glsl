@@ -24,8 +24,11 @@ Walk begin_walk(vec2 entry, int tree_level) {
 // Over the wall of a node without a hit; and a level up, to `top_level` at most, where the wall is the parent's too: the
 // parent that the ray leaves had blocked it, the one that it enters may not.
 void pass_node(CellRay ray, int top_level, inout Walk walk) {
-    walk.at_end = walk.node.exit >= 1.0;
-    if (walk.at_end) return;
+    walk.at_end = walk.node.exit >= end_of_ray(ray.relief);
+    if (walk.at_end) {
+        walk.place.s = walk.node.exit;
+        return;
+    }
     walk.place = cross_wall(ray, walk.place, walk.node);
     bool new_parent = (walk.place.cell >> (walk.tree_level + 1)) != (walk.node.index >> 1);
     if (new_parent && walk.tree_level < top_level) walk.tree_level += 1;
@@ -39,8 +42,8 @@ bool walk_to_leaf(CellRay ray, sampler2D tree, int leaf_level, int top_level, in
         walk.steps += 1;
         if (walk.tree_level == leaf_level) return true;
         float top = tap_map_texel(tree, walk.node.index, walk.tree_level).r;
-        if (1.0 - walk.node.exit < top) {
-            walk.place = move_within(ray, walk.place, walk.node, max(walk.place.s, 1.0 - top));
+        if (height_of_ray(ray.relief, walk.node.exit) < top) {
+            walk.place = move_within(ray, walk.place, walk.node, max(walk.place.s, s_at_height(ray.relief, top)));
             walk.tree_level -= 1;
         } else {
             pass_node(ray, top_level, walk);
@@ -51,5 +54,6 @@ bool walk_to_leaf(CellRay ray, sampler2D tree, int leaf_level, int top_level, in
 
 // Where a walk that hit nothing ended.
 Trace end_of_walk(Walk walk) {
-    return walk.at_end ? hit_on_ray(1.0, walk.steps) : unconverged(hit_on_ray(walk.place.s, walk.steps));
+    Trace found = hit_on_ray(walk.place.s, walk.steps);
+    return walk.at_end ? found : unconverged(found);
 }

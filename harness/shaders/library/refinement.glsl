@@ -13,13 +13,21 @@ struct Refined {
 
 // The surface between the ends is taken for a straight line, and ray and line are intersected (Luna 2012, section 4).
 // Reads nothing.
-Refined refine_linearly(Crossing crossing) {
-    float above = gap_above(crossing);
-    float below = gap_below(crossing);
+Refined refine_linearly(Crossing crossing, float above, float below) {
     // At the entry both ends are one.
     float fraction = above + below > 0.0 ? above / (above + below) : 0.0;
     return Refined(mix(crossing.s_above, crossing.s_below, fraction), crossing.steps);
 }
+
+Refined refine_linearly(ReliefRay ray, Crossing crossing) {
+    return refine_linearly(crossing, gap_above(ray, crossing), gap_below(ray, crossing));
+}
+
+#ifdef RELIEFBENCH_CONTRACT_1
+Refined refine_linearly(Crossing crossing) {
+    return refine_linearly(crossing, gap_above(crossing), gap_below(crossing));
+}
+#endif
 
 // Which point of the interval that halving leaves is the answer, for techniques with the parameter `binary_answer` of
 // compile time: its end above the surface, its end beneath (Policarpo 2005), else its middle (Policarpo 2007, Dykhta
@@ -40,7 +48,7 @@ Refined refine_by_halving(ReliefRay ray, Crossing crossing, int halvings) {
     float s_below = crossing.s_below;
     for (int i = 0; i < halvings; ++i) {
         float middle = 0.5 * (s_above + s_below);
-        if (tap_along(ray, middle) < 1.0 - middle)
+        if (tap_along(ray, middle) < height_of_ray(ray, middle))
             s_above = middle;
         else
             s_below = middle;
@@ -52,8 +60,8 @@ Refined refine_by_halving(ReliefRay ray, Crossing crossing, int halvings) {
 // again: the interval always holds a crossing (Risser 2007). The last of the `chords` intersections is the answer and
 // is not read.
 Refined refine_by_secants(ReliefRay ray, Crossing crossing, int chords) {
-    float above = gap_above(crossing);
-    float below = gap_below(crossing);
+    float above = gap_above(ray, crossing);
+    float below = gap_below(ray, crossing);
     Refined refined = Refined(crossing.s_below, crossing.steps);
     for (int i = 1; i <= chords; ++i) {
         // Nothing is left to divide by where an end lies on the surface, the entry included.
@@ -61,7 +69,7 @@ Refined refine_by_secants(ReliefRay ray, Crossing crossing, int chords) {
         refined.s = mix(crossing.s_above, crossing.s_below, above / (above + below));
         refined.steps += 1;
         if (i == chords) break;
-        float gap = (1.0 - refined.s) - tap_along(ray, refined.s);
+        float gap = height_of_ray(ray, refined.s) - tap_along(ray, refined.s);
         if (gap > 0.0) {
             crossing.s_above = refined.s;
             above = gap;
@@ -86,7 +94,7 @@ Refined refine_by_marching_again(ReliefRay ray, Crossing crossing, int levels, i
         for (int i = 1; i < finer_steps; ++i) {
             float s = mix(start, end, float(i) / float(finer_steps));
             steps += 1;
-            if (tap_along(ray, s) >= 1.0 - s) {
+            if (tap_along(ray, s) >= height_of_ray(ray, s)) {
                 s_below = s;
                 break;
             }

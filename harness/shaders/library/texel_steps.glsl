@@ -8,7 +8,7 @@
 float added_step(ReliefRay ray) {
     if (step_rule != step_rule_added) return 0.0;
     vec2 size = vec2(height_map_size());
-    return minimum_step / length(vec3(ray.max_offset, 1.0) * vec3(size, max(size.x, size.y)));
+    return minimum_step / length(vec3(straight_offset(ray), 1.0) * vec3(size, max(size.x, size.y)));
 }
 
 float least_step(ReliefRay ray, float s) {
