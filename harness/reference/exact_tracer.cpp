@@ -280,17 +280,17 @@ ExactTracer::ExactTracer(const HeightMap& map, const Relief& relief)
 }
 
 std::optional<ExactHit> ExactTracer::trace(const Ray& ray) const {
-    const std::optional<StraightPath> path = straight_path(plane_, ray, relief_.height_scale);
-    if (!path) {
+    if (!descends(plane_, ray)) {
         return std::nullopt;
     }
+    const StraightPath path = straight_path(plane_, ray, relief_.height_scale);
     const double columns = relief_.tiling * map_->width();
     const double rows = relief_.tiling * map_->height();
 
-    SlabRay slab{Axis(path->uv.x * columns - 0.5, path->uv_per_s.x * columns),
-                 Axis(path->uv.y * rows - 0.5, path->uv_per_s.y * rows)};
-    if (path->t_top < 0) {
-        slab.first = -path->t_top / path->t_per_s;
+    SlabRay slab{Axis(path.uv.x * columns - 0.5, path.uv_per_s.x * columns),
+                 Axis(path.uv.y * rows - 0.5, path.uv_per_s.y * rows)};
+    if (path.t_top < 0) {
+        slab.first = -path.t_top / path.t_per_s;
     }
     if (relief_.boundary == Boundary::clip) {
         slab.clip(slab.x, -0.5, columns - 0.5);
@@ -303,8 +303,8 @@ std::optional<ExactHit> ExactTracer::trace(const Ray& ray) const {
     if (s < 0) {
         return std::nullopt;
     }
-    return ExactHit{path->uv.x + s * path->uv_per_s.x, path->uv.y + s * path->uv_per_s.y, std::max(1 - s, 0.0),
-                    path->t_top + s * path->t_per_s};
+    return ExactHit{path.uv.x + s * path.uv_per_s.x, path.uv.y + s * path.uv_per_s.y, std::max(1 - s, 0.0),
+                    path.t_top + s * path.t_per_s};
 }
 
 }  // namespace reliefbench

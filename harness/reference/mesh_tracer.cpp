@@ -171,7 +171,7 @@ MeshTracer::MeshTracer(MeshTracer&&) noexcept = default;
 MeshTracer& MeshTracer::operator=(MeshTracer&&) noexcept = default;
 
 std::optional<ExactHit> MeshTracer::trace(const Ray& ray) const {
-    if (!(ray.direction.z < 0)) return std::nullopt;
+    if (!descends(scene_->plane, ray)) return std::nullopt;
     // Embree counts in single precision: the shorter the way from the ray's start to the relief, the less is lost.
     const double t_top = crossing_t(scene_->plane, ray);
     const glm::dvec3 entry = base_coordinates(scene_->plane, ray.origin + t_top * ray.direction);

@@ -74,19 +74,19 @@ TEST(Plane, RaysEnterWhereTheyPassTheUnitSquareFromAbove) {
 TEST(Plane, APathThroughTheReliefIsTheRay) {
     constexpr double height_scale = 0.15;
     const Ray ray{glm::dvec3(0.13, -0.37, 0) + 2.5 * to_eye, -to_eye};
-    const auto path = straight_path(Plane{}, ray, height_scale);
-    ASSERT_TRUE(path);
+    const StraightPath path = straight_path(Plane{}, ray, height_scale);
     // It sinks by H over s = 1: H·tanθ across, H/cosθ along.
-    EXPECT_NEAR(path->uv_per_s.x, -height_scale * std::tan(theta) * std::cos(phi), tolerance);
-    EXPECT_NEAR(path->uv_per_s.y, -height_scale * std::tan(theta) * std::sin(phi), tolerance);
-    EXPECT_NEAR(path->t_per_s, height_scale / std::cos(theta), tolerance);
+    EXPECT_NEAR(path.uv_per_s.x, -height_scale * std::tan(theta) * std::cos(phi), tolerance);
+    EXPECT_NEAR(path.uv_per_s.y, -height_scale * std::tan(theta) * std::sin(phi), tolerance);
+    EXPECT_NEAR(path.t_per_s, height_scale / std::cos(theta), tolerance);
     const Relief relief{.height_scale = height_scale};
     const double s = 0.7;
-    const glm::dvec2 uv = path->uv + s * path->uv_per_s;
+    const glm::dvec2 uv = path.uv + s * path.uv_per_s;
     expect_equal(surface_point(relief, uv.x, uv.y, 1 - s),
-                 ray.origin + (path->t_top + s * path->t_per_s) * ray.direction);
-    EXPECT_FALSE(straight_path(Plane{}, {ray.origin, to_eye}, height_scale));
-    EXPECT_FALSE(straight_path(Plane{}, {ray.origin, {1, 0, 0}}, height_scale));
+                 ray.origin + (path.t_top + s * path.t_per_s) * ray.direction);
+    EXPECT_TRUE(descends(Plane{}, ray));
+    EXPECT_FALSE(descends(Plane{}, {ray.origin, to_eye}));
+    EXPECT_FALSE(descends(Plane{}, {ray.origin, {1, 0, 0}}));
 }
 
 TEST(Plane, LightComesThroughThePointFromThePlaneOn) {

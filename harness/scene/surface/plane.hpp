@@ -35,9 +35,12 @@ struct StraightPath {
     double t_per_s = 0;
 };
 
-/// Empty for a ray that does not descend. Inline, as it is called for each ray of a truth.
-inline std::optional<StraightPath> straight_path(const Plane& /*plane*/, const Ray& ray, double height_scale) {
-    if (!(ray.direction.z < 0)) return std::nullopt;
+inline bool descends(const Plane& /*plane*/, const Ray& ray) {
+    return ray.direction.z < 0;
+}
+
+/// Of a ray that descends. Inline, as it is called for each ray of a truth.
+inline StraightPath straight_path(const Plane& /*plane*/, const Ray& ray, double height_scale) {
     const double t_per_z = 1 / ray.direction.z;
     const double t_top = -ray.origin.z * t_per_z;
     const double t_per_s = -height_scale * t_per_z;
