@@ -47,19 +47,6 @@ std::optional<Fetch::Kind> fetch_kind(std::uint32_t op) {
     }
 }
 
-/// Four bytes a word, the first in the lowest, ended by a 0.
-std::string text_of(std::span<const std::uint32_t> words) {
-    std::string text;
-    for (const std::uint32_t word : words) {
-        for (std::uint32_t shift = 0; shift < 32; shift += 8) {
-            const char letter = static_cast<char>((word >> shift) & 0xffu);
-            if (letter == 0) return text;
-            text += letter;
-        }
-    }
-    return text;
-}
-
 }  // namespace
 
 std::vector<Fetch> find_fetches(const SpirV& module) {

@@ -46,7 +46,7 @@ std::optional<std::uint32_t> find_loop_limit(const Device& device) {
     const Buffer buffer =
         make_filled_buffer(device, vk::BufferUsageFlagBits::eStorageBuffer, std::as_bytes(std::span(&loop, 1)));
     const Pipeline pipeline = make_compute_pipeline(device, {.shader = {ShaderStage::compute, code}, .constants = {}},
-                                                    {{storage_buffer(0, buffer.buffer)}});
+                                                    {{storage_buffer("loop", buffer.buffer)}});
     submit_and_wait(device, "count a loop's iterations", [&](const vk::raii::CommandBuffer& commands) {
         pipeline.bind(commands);
         commands.dispatch(1, 1, 1);

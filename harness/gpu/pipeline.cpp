@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <chrono>
 #include <string>
+#include <utility>
 
 namespace reliefbench::gpu {
 
@@ -27,15 +29,17 @@ vk::ShaderStageFlagBits vulkan_stage(ShaderStage stage) {
     fail("unknown shader stage {}", static_cast<int>(stage));
 }
 
-/// Vulkan's description of SpecializationValues; refers into itself.
+/// Vulkan's description of SpecializationValues, with the numbers that the shaders give them; refers into itself.
 struct Specialization {
     std::vector<vk::SpecializationMapEntry> entries;
     std::vector<std::uint32_t> data;
     vk::SpecializationInfo info;
 
-    explicit Specialization(const SpecializationValues& values) {
-        for (const auto& [id, value] : values) {
-            entries.push_back({.constantID = id,
+    Specialization(const SpecializationValues& values, const ShaderInterface& interface) {
+        for (const auto& [name, value] : values) {
+            const auto declared = interface.constants.find(name);
+            if (declared == interface.constants.end()) fail("the shaders declare no constant '{}'", name);
+            entries.push_back({.constantID = declared->second,
                                .offset = static_cast<std::uint32_t>(data.size() * sizeof(std::uint32_t)),
                                .size = sizeof(std::uint32_t)});
             data.push_back(value);
@@ -49,12 +53,31 @@ struct Specialization {
     Specialization& operator=(const Specialization&) = delete;
 };
 
+/// Numbers of the set's bindings in their order. An Error where it binds what the shaders do not declare, or otherwise,
+/// or leaves something out.
+std::vector<std::uint32_t> find_bindings(const ShaderInterface& interface, const std::vector<Binding>& set) {
+    std::vector<std::uint32_t> numbers;
+    for (const Binding& binding : set) {
+        const auto declared = interface.resources.find(binding.name);
+        if (declared == interface.resources.end()) fail("the shaders declare no '{}' to be bound", binding.name);
+        if (declared->second.type != binding.type)
+            fail("the shaders declare '{}' as {}, and {} is bound to it", binding.name,
+                 vk::to_string(declared->second.type), vk::to_string(binding.type));
+        numbers.push_back(declared->second.binding);
+    }
+    for (const auto& [name, resource] : interface.resources) {
+        if (std::ranges::find(set, name, &Binding::name) == set.end())
+            fail("the shaders declare '{}', to which nothing is bound", name);
+    }
+    return numbers;
+}
+
 void make_descriptor_sets(const DeviceHandles& handles, Pipeline& pipeline,
                           const std::vector<std::vector<Binding>>& sets) {
     const auto set_count = static_cast<std::uint32_t>(sets.size());
     std::vector<vk::DescriptorPoolSize> sizes;
-    for (const Binding& binding : sets.front())
-        sizes.push_back({.type = binding.type, .descriptorCount = set_count});
+    for (const auto& [name, resource] : pipeline.interface().resources)
+        sizes.push_back({.type = resource.type, .descriptorCount = set_count});
     pipeline.descriptor_pool = vk::raii::DescriptorPool(
         handles.device, vk::DescriptorPoolCreateInfo{.flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
                                                      .maxSets = set_count,
@@ -70,51 +93,51 @@ void make_descriptor_sets(const DeviceHandles& handles, Pipeline& pipeline,
 
     std::vector<vk::WriteDescriptorSet> writes;
     for (std::size_t i = 0; i < sets.size(); ++i) {
-        for (const Binding& binding : sets[i])
+        const std::vector<std::uint32_t> numbers = find_bindings(pipeline.interface(), sets[i]);
+        for (std::size_t j = 0; j < numbers.size(); ++j)
             writes.push_back({.dstSet = *pipeline.descriptor_sets[i],
-                              .dstBinding = binding.index,
+                              .dstBinding = numbers[j],
                               .descriptorCount = 1,
-                              .descriptorType = binding.type,
-                              .pImageInfo = &binding.image,
-                              .pBufferInfo = &binding.buffer});
+                              .descriptorType = sets[i][j].type,
+                              .pImageInfo = &sets[i][j].image,
+                              .pBufferInfo = &sets[i][j].buffer});
     }
     handles.device.updateDescriptorSets(writes, {});
 }
 
 /// What a pipeline's making depends on, apart from fixed state: shaders by their addresses.
-std::string shared_key(const std::vector<CompiledStage>& stages, const SpecializationValues& constants,
-                       const std::vector<Binding>& bindings) {
+std::string shared_key(const std::vector<CompiledStage>& stages, const SpecializationValues& constants) {
     std::string key;
     for (const CompiledStage& stage : stages)
         key += fmt::format("stage {} {};", static_cast<int>(stage.stage), static_cast<const void*>(stage.code.get()));
-    for (const auto& [id, value] : constants)
-        key += fmt::format("constant {} {};", id, value);
-    for (const Binding& binding : bindings)
-        key += fmt::format("binding {} {};", binding.index, vk::to_string(binding.type));
+    for (const auto& [name, value] : constants)
+        key += fmt::format("constant {} {};", name, value);
     return key;
 }
 
 /// Everything but the pipeline itself.
-SharedPipeline make_layout(const DeviceHandles& handles, const std::vector<CompiledStage>& compiled,
-                           const std::vector<Binding>& set, std::uint32_t push_constant_bytes) {
+SharedPipeline make_layout(const DeviceHandles& handles, const std::vector<CompiledStage>& compiled) {
     SharedPipeline result;
     vk::ShaderStageFlags stages;
     for (const CompiledStage& stage : compiled) {
         stages |= vulkan_stage(stage.stage);
+        add_interface(result.interface, read_interface(*stage.code, vulkan_stage(stage.stage)));
         result.shaders.push_back(stage.code);
     }
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
-    for (const Binding& binding : set)
-        bindings.push_back(
-            {.binding = binding.index, .descriptorType = binding.type, .descriptorCount = 1, .stageFlags = stages});
+    for (const auto& [name, resource] : result.interface.resources)
+        bindings.push_back({.binding = resource.binding,
+                            .descriptorType = resource.type,
+                            .descriptorCount = 1,
+                            .stageFlags = resource.stages});
     result.set_layout = vk::raii::DescriptorSetLayout(
         handles.device, vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
                                                           .pBindings = bindings.data()});
-    const vk::PushConstantRange push_constants{.stageFlags = stages, .size = push_constant_bytes};
+    const vk::PushConstantRange push_constants{.stageFlags = stages, .size = result.interface.push_constant_bytes};
     result.layout = vk::raii::PipelineLayout(
         handles.device, vk::PipelineLayoutCreateInfo{.setLayoutCount = 1,
                                                      .pSetLayouts = &*result.set_layout,
-                                                     .pushConstantRangeCount = push_constant_bytes > 0 ? 1u : 0u,
+                                                     .pushConstantRangeCount = push_constants.size > 0 ? 1u : 0u,
                                                      .pPushConstantRanges = &push_constants});
     return result;
 }
@@ -127,27 +150,27 @@ vk::raii::ShaderModule make_module(const DeviceHandles& handles, const SpirV& co
 
 }  // namespace
 
-Binding uniform_buffer(std::uint32_t index, const vk::raii::Buffer& buffer) {
-    return {.index = index,
+Binding uniform_buffer(std::string name, const vk::raii::Buffer& buffer) {
+    return {.name = std::move(name),
             .type = vk::DescriptorType::eUniformBuffer,
             .buffer = {.buffer = *buffer, .offset = 0, .range = VK_WHOLE_SIZE}};
 }
 
-Binding storage_buffer(std::uint32_t index, const vk::raii::Buffer& buffer) {
-    return {.index = index,
+Binding storage_buffer(std::string name, const vk::raii::Buffer& buffer) {
+    return {.name = std::move(name),
             .type = vk::DescriptorType::eStorageBuffer,
             .buffer = {.buffer = *buffer, .offset = 0, .range = VK_WHOLE_SIZE}};
 }
 
-Binding sampled_image(std::uint32_t index, const vk::raii::ImageView& view, const vk::raii::Sampler& sampler,
+Binding sampled_image(std::string name, const vk::raii::ImageView& view, const vk::raii::Sampler& sampler,
                       vk::ImageLayout layout) {
-    return {.index = index,
+    return {.name = std::move(name),
             .type = vk::DescriptorType::eCombinedImageSampler,
             .image = {.sampler = *sampler, .imageView = *view, .imageLayout = layout}};
 }
 
-Binding storage_image(std::uint32_t index, const vk::raii::ImageView& view) {
-    return {.index = index,
+Binding storage_image(std::string name, const vk::raii::ImageView& view) {
+    return {.name = std::move(name),
             .type = vk::DescriptorType::eStorageImage,
             .image = {.imageView = *view, .imageLayout = vk::ImageLayout::eGeneral}};
 }
@@ -170,8 +193,8 @@ Pipeline make_compute_pipeline(const Device& device, const ComputePipelineOption
     return translate_errors("make a compute pipeline", handles.info.name, [&] {
         const std::vector<CompiledStage> stages{options.shader};
         const auto make = [&] {
-            SharedPipeline made = make_layout(handles, stages, sets.front(), options.push_constant_bytes);
-            const Specialization specialization(options.constants);
+            SharedPipeline made = make_layout(handles, stages);
+            const Specialization specialization(options.constants, made.interface);
             const vk::raii::ShaderModule module = make_module(handles, *options.shader.code);
             made.bind_point = vk::PipelineBindPoint::eCompute;
             made.pipeline =
@@ -184,9 +207,7 @@ Pipeline make_compute_pipeline(const Device& device, const ComputePipelineOption
             return made;
         };
         Pipeline result;
-        result.shared = device.shared_pipelines().get(
-            shared_key(stages, options.constants, sets.front()) + fmt::format("push {};", options.push_constant_bytes),
-            make);
+        result.shared = device.shared_pipelines().get(shared_key(stages, options.constants), make);
         make_descriptor_sets(handles, result, sets);
         return result;
     });
@@ -252,8 +273,8 @@ Pipeline make_graphics_pipeline(const Device& device, const GraphicsPipelineOpti
     const DeviceHandles& handles = device.handles();
     return translate_errors("make a graphics pipeline", handles.info.name, [&] {
         const auto make = [&] {
-            SharedPipeline made = make_layout(handles, options.stages, bindings, 0);
-            const Specialization specialization(options.constants);
+            SharedPipeline made = make_layout(handles, options.stages);
+            const Specialization specialization(options.constants, made.interface);
             std::vector<vk::raii::ShaderModule> modules;
             std::vector<vk::PipelineShaderStageCreateInfo> stages;
             for (const CompiledStage& stage : options.stages) {
@@ -269,7 +290,7 @@ Pipeline make_graphics_pipeline(const Device& device, const GraphicsPipelineOpti
                 std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
             return made;
         };
-        std::string key = shared_key(options.stages, options.constants, bindings);
+        std::string key = shared_key(options.stages, options.constants);
         for (const vk::Format format : options.colour_formats)
             key += fmt::format("colour {};", vk::to_string(format));
         key += fmt::format("depth {} {};patch {};flags {};", vk::to_string(options.depth_format),

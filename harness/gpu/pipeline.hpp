@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace reliefbench::gpu {
@@ -17,22 +18,22 @@ struct CompiledStage {
     std::shared_ptr<const SpirV> code;
 };
 
-/// 32-bit values by constant_id.
-using SpecializationValues = std::map<std::uint32_t, std::uint32_t>;
+/// 32-bit values by the constants' names in GLSL.
+using SpecializationValues = std::map<std::string, std::uint32_t>;
 
-/// One binding of a descriptor set: a buffer, or a sampled or storage image.
+/// What stands behind a name of the shaders (ShaderInterface): a buffer, or a sampled or storage image.
 struct Binding {
-    std::uint32_t index = 0;
+    std::string name;
     vk::DescriptorType type = vk::DescriptorType::eUniformBuffer;
     vk::DescriptorBufferInfo buffer{};
     vk::DescriptorImageInfo image{};
 };
 
-Binding uniform_buffer(std::uint32_t index, const vk::raii::Buffer& buffer);
-Binding storage_buffer(std::uint32_t index, const vk::raii::Buffer& buffer);
-Binding sampled_image(std::uint32_t index, const vk::raii::ImageView& view, const vk::raii::Sampler& sampler,
+Binding uniform_buffer(std::string name, const vk::raii::Buffer& buffer);
+Binding storage_buffer(std::string name, const vk::raii::Buffer& buffer);
+Binding sampled_image(std::string name, const vk::raii::ImageView& view, const vk::raii::Sampler& sampler,
                       vk::ImageLayout layout);
-Binding storage_image(std::uint32_t index, const vk::raii::ImageView& view);
+Binding storage_image(std::string name, const vk::raii::ImageView& view);
 
 /// A pipeline, which others of the same making share, with descriptor sets of its own. The bindings' resources must
 /// outlive it.
@@ -45,15 +46,17 @@ struct Pipeline {
 
     void bind(const vk::raii::CommandBuffer& commands, std::size_t descriptor_set = 0) const;
     vk::PipelineLayout layout() const { return *shared->layout; }
+    const ShaderInterface& interface() const { return shared->interface; }
 };
 
 struct ComputePipelineOptions {
     CompiledStage shader;
     SpecializationValues constants;
-    std::uint32_t push_constant_bytes = 0;
 };
 
-/// One descriptor set for each element of `sets`, which must bind the same numbers to the same types.
+/// One descriptor set for each element of `sets`. The layouts of descriptors and of push constants are what the shaders
+/// declare: each set must bind all of their names and no others, and constants must be declared by some stage; else it
+/// is an Error with the name. So with graphics pipelines.
 Pipeline make_compute_pipeline(const Device& device, const ComputePipelineOptions& options,
                                const std::vector<std::vector<Binding>>& sets);
 

@@ -2,6 +2,7 @@
 
 #include "gpu/handles.hpp"
 #include "gpu/shader_compiler.hpp"
+#include "gpu/shader_interface.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -14,6 +15,8 @@ namespace reliefbench::gpu {
 
 /// What pipelines of the same shaders, constants and formats share, whatever they are bound to.
 struct SharedPipeline {
+    /// Of all stages together.
+    ShaderInterface interface;
     vk::raii::DescriptorSetLayout set_layout{nullptr};
     vk::raii::PipelineLayout layout{nullptr};
     vk::raii::Pipeline pipeline{nullptr};

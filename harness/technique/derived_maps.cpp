@@ -207,7 +207,7 @@ std::string DerivedMaps::key() const {
         text += fmt::format("pass {} {} {} {}", pass.declaration->name, pass.declaration->writes,
                             static_cast<int>(pass.declaration->levels),
                             content_hash(std::as_bytes(std::span(*pass.shader.code))));
-        for (const auto& [constant, value] : pass.constants)
+        for (const auto& [constant, value] : pass.values_by_id)
             text += fmt::format(" {}={}", constant, value);
         text += '\n';
     }
@@ -243,9 +243,8 @@ std::vector<gpu::Binding> DerivedMaps::draw_bindings() const {
     std::vector<gpu::Binding> bindings;
     for (std::size_t i = 0; i < maps_.size(); ++i) {
         if (!maps_[i] || technique_->manifest.maps[i].scratch) continue;
-        bindings.push_back(gpu::sampled_image(binding::first_derived_map + static_cast<std::uint32_t>(i),
-                                              maps_[i]->texture.view, maps_[i]->sampler,
-                                              vk::ImageLayout::eShaderReadOnlyOptimal));
+        bindings.push_back(gpu::sampled_image(technique_->manifest.maps[i].name, maps_[i]->texture.view,
+                                              maps_[i]->sampler, vk::ImageLayout::eShaderReadOnlyOptimal));
     }
     return bindings;
 }

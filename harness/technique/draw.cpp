@@ -11,6 +11,9 @@ namespace {
 
 constexpr vk::Format depth_format = vk::Format::eD32Sfloat;
 constexpr std::uint32_t object_vertices = 3;
+/// Constants of scene.glsl that the object is drawn with, too.
+constexpr const char* srgb_target = "srgb_target";
+constexpr const char* lighting_enabled = "lighting_enabled";
 
 /// lavapipe (Mesa 22.3) numbers the vertices that tessellation makes in one draw with 16 bits and silently connects
 /// wrong ones beyond; 15 patches at the largest factor, of 65·65 vertices each, stay below. It also takes time that
@@ -52,7 +55,7 @@ gpu::GraphicsPipelineOptions pipeline_options(const gpu::Device& device, const T
         .depth_format = depth_format,
         .extent = setup.extent,
         .patch_vertices = setup.patch_corners};
-    options.constants[constant::srgb_target] = kind == Draw::Kind::timed_display ? 1 : 0;
+    options.constants[srgb_target] = kind == Draw::Kind::timed_display ? 1 : 0;
     // What of the object stands before the near plane has a depth of 0, as the polygon has under parallel rays.
     if (setup.object && kind != Draw::Kind::probed) options.depth_compare = vk::CompareOp::eLess;
     return options;
@@ -79,14 +82,13 @@ Draw::Draw(const gpu::Device& device, const Technique& technique, Kind kind, con
         clears_.push_back({.float32 = std::array<float, 4>{1, 1, 1, 0}});
         const std::size_t pixels = std::size_t{extent_.width} * extent_.height;
         work_.emplace(device, pixels);
-        bindings.push_back(gpu::storage_buffer(binding::work, work_->buffer()));
+        bindings.push_back(gpu::storage_buffer(WorkCounters::name, work_->buffer()));
     }
     pipeline_ = gpu::make_graphics_pipeline(device, options, bindings);
     if (!setup.object || kind == Kind::probed) return;
-    object_pipeline_ =
-        setup.object->make_pipeline(options.colour_formats, depth_format, extent_,
-                                    {{constant::srgb_target, options.constants.at(constant::srgb_target)},
-                                     {constant::lighting_enabled, options.constants.at(constant::lighting_enabled)}});
+    object_pipeline_ = setup.object->make_pipeline(
+        options.colour_formats, depth_format, extent_,
+        {{srgb_target, options.constants.at(srgb_target)}, {lighting_enabled, options.constants.at(lighting_enabled)}});
 }
 
 void Draw::begin(const vk::raii::CommandBuffer& commands) const {

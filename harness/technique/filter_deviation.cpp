@@ -3,7 +3,6 @@
 #include "gpu/commands.hpp"
 #include "gpu/shader_cache.hpp"
 #include "manifest/shared_shaders.hpp"
-#include "technique/program.hpp"
 #include "technique/scene_textures.hpp"
 
 #include <algorithm>
@@ -21,7 +20,6 @@ struct FilteredTap {
 
 constexpr int map_side = 64;
 constexpr std::size_t tap_count = 65536;
-constexpr std::uint32_t workgroup_size = 64;
 constexpr std::uint64_t seed = 1;
 
 /// Noise: neighbours differ as much as heights can, so that an error of the weights shows in full.
@@ -68,12 +66,12 @@ double measure_filter_deviation(const gpu::Device& device, HeightFormat format) 
                                     .preamble = {}});
     });
     std::vector<gpu::Binding> bindings = scene.textures().height_bindings();
-    bindings.push_back(gpu::storage_buffer(binding::work, buffer.buffer));
+    bindings.push_back(gpu::storage_buffer("Taps", buffer.buffer));
     const gpu::Pipeline pipeline =
         gpu::make_compute_pipeline(device, {.shader = {gpu::ShaderStage::compute, code}, .constants = {}}, {bindings});
     gpu::submit_and_wait(device, "measure the filter", [&](const vk::raii::CommandBuffer& commands) {
         pipeline.bind(commands);
-        commands.dispatch(static_cast<std::uint32_t>(tap_count) / workgroup_size, 1, 1);
+        commands.dispatch(static_cast<std::uint32_t>(tap_count) / pipeline.interface().local_size[0], 1, 1);
     });
     std::memcpy(taps.data(), buffer.mapped, buffer.size);
 

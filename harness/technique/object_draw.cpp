@@ -63,9 +63,8 @@ gpu::Pipeline ObjectOnDevice::make_pipeline(const std::vector<vk::Format>& colou
         .colour_formats = colour_formats,
         .depth_format = depth_format,
         .extent = extent};
-    options.constants[constant::object_is_box] = shape_ == SceneObject::Shape::box ? 1 : 0;
-    return gpu::make_graphics_pipeline(*device_, options,
-                                       {scene_, gpu::uniform_buffer(binding::object, uniforms_.buffer)});
+    options.constants["object_is_box"] = shape_ == SceneObject::Shape::box ? 1 : 0;
+    return gpu::make_graphics_pipeline(*device_, options, {scene_, gpu::uniform_buffer("object", uniforms_.buffer)});
 }
 
 }  // namespace reliefbench

@@ -14,9 +14,6 @@ namespace reliefbench {
 
 namespace {
 
-/// Of prepare.comp, on each side.
-constexpr std::uint32_t workgroup_side = 8;
-
 /// The mirror of PassRange in prepare.comp.
 struct PassRange {
     std::int32_t level = 0;
@@ -32,8 +29,9 @@ std::size_t index_of_map(const Manifest& manifest, const std::string& name) {
     fail("technique '{}' has no map '{}'", manifest.id, name);
 }
 
-std::uint32_t groups(std::uint32_t texels) {
-    return (texels + workgroup_side - 1) / workgroup_side;
+/// Work groups of so many texels that cover them.
+std::uint32_t groups(std::uint32_t texels, std::uint32_t texels_each) {
+    return (texels + texels_each - 1) / texels_each;
 }
 
 }  // namespace
@@ -41,12 +39,16 @@ std::uint32_t groups(std::uint32_t texels) {
 CompiledPass compile(const gpu::Device& device, const Technique& technique, const PassDeclaration& declaration,
                      const ParameterValues& parameters) {
     CompiledPass pass{
-        &declaration, compile_pass(device, technique, parameters, declaration, Variant::timed), std::nullopt, {}};
+        &declaration, compile_pass(device, technique, parameters, declaration, Variant::timed), std::nullopt, {}, {}};
     if (gpu::loop_limit(device))
         pass.probed = compile_pass(device, technique, parameters, declaration, Variant::probed);
     const std::set<std::uint32_t> used = gpu::used_constants(*pass.shader.code);
-    for (const auto& [id, value] : parameter_constants(technique.manifest, parameters)) {
-        if (used.contains(id)) pass.constants.emplace(id, value);
+    const auto declared = gpu::read_interface(*pass.shader.code, vk::ShaderStageFlagBits::eCompute).constants;
+    for (const auto& [name, value] : parameter_constants(technique.manifest, parameters)) {
+        const std::uint32_t id = declared.at(name);
+        if (!used.contains(id)) continue;
+        pass.constants.emplace(name, value);
+        pass.values_by_id.emplace(id, value);
     }
     return pass;
 }
@@ -64,25 +66,26 @@ PreparationPass::PreparationPass(const gpu::Device& device, const Technique& tec
     std::vector<std::vector<gpu::Binding>> sets;
     for (std::uint32_t level = first_level_; level < end_level; ++level) {
         std::vector<gpu::Binding>& bindings = sets.emplace_back(scene.height_bindings());
-        bindings.push_back(gpu::storage_image(binding::target_map, target.level_views[level]));
+        bindings.push_back(gpu::storage_image("target_map", target.level_views[level]));
         if (above_base)
-            bindings.push_back(gpu::sampled_image(binding::previous_map, target.level_views[level - 1],
-                                                  scene.nearest_repeat, vk::ImageLayout::eGeneral));
+            bindings.push_back(gpu::sampled_image("previous_map", target.level_views[level - 1], scene.nearest_repeat,
+                                                  vk::ImageLayout::eGeneral));
         for (const std::size_t map : maps_before(manifest, *declaration_))
-            bindings.push_back(gpu::sampled_image(binding::first_derived_map + static_cast<std::uint32_t>(map),
-                                                  maps[map]->texture.view, maps[map]->sampler,
+            bindings.push_back(gpu::sampled_image(manifest.maps[map].name, maps[map]->texture.view, maps[map]->sampler,
                                                   vk::ImageLayout::eGeneral));
         level_sizes_.push_back(target.level_extent(level));
     }
     // A map of one texel has no level above its base.
     if (sets.empty()) return;
-    gpu::ComputePipelineOptions options{
-        .shader = compiled.shader, .constants = compiled.constants, .push_constant_bytes = sizeof(PassRange)};
+    gpu::ComputePipelineOptions options{.shader = compiled.shader, .constants = compiled.constants};
     pipeline_ = gpu::make_compute_pipeline(device, options, sets);
+    if (pipeline_.interface().push_constant_bytes != sizeof(PassRange))
+        fail("prepare.comp declares {} bytes of push constants; {} are pushed",
+             pipeline_.interface().push_constant_bytes, sizeof(PassRange));
     if (!compiled.probed) return;
     WorkCounters work(device, 0);
     for (std::vector<gpu::Binding>& bindings : sets)
-        bindings.push_back(gpu::storage_buffer(binding::work, work.buffer()));
+        bindings.push_back(gpu::storage_buffer(WorkCounters::name, work.buffer()));
     options.shader = *compiled.probed;
     probe_.emplace(Probe{gpu::make_compute_pipeline(device, options, sets), std::move(work)});
 }
@@ -92,7 +95,9 @@ SlicePlan PreparationPass::plan(Resolution height_map) const {
     const Slicing& slicing = *declaration_->sliced;
     const vk::Extent2D size = level_sizes_.front();
     const std::int64_t row = std::int64_t{size.width} * slices_;
-    if (slicing.over == Slicing::Over::rows) return {groups(size.height), row * workgroup_side, slicing.iterations};
+    const std::uint32_t group_rows = pipeline_.interface().local_size[1];
+    if (slicing.over == Slicing::Over::rows)
+        return {groups(size.height, group_rows), row * group_rows, slicing.iterations};
     return {std::int64_t{height_map.width} * height_map.height, row * size.height, slicing.iterations};
 }
 
@@ -134,15 +139,17 @@ double PreparationPass::time(const Range& range) const {
 
 void PreparationPass::dispatch(const vk::raii::CommandBuffer& commands, const gpu::Pipeline& pipeline,
                                const Range& range) const {
+    const auto& [group_columns, group_rows, group_slices] = pipeline.interface().local_size;
     for (std::size_t i = 0; i < level_sizes_.size(); ++i) {
-        const Slice rows = range.group_rows.value_or(Slice{0, groups(level_sizes_[i].height)});
+        const Slice rows = range.group_rows.value_or(Slice{0, groups(level_sizes_[i].height, group_rows)});
         const PassRange values{.level = static_cast<std::int32_t>(first_level_ + i),
                                .slice_begin = static_cast<std::int32_t>(range.sources.begin),
                                .slice_end = static_cast<std::int32_t>(range.sources.end),
-                               .first_row = static_cast<std::int32_t>(rows.begin * workgroup_side)};
+                               .first_row = static_cast<std::int32_t>(rows.begin * group_rows)};
         pipeline.bind(commands, i);
         commands.pushConstants<PassRange>(pipeline.layout(), vk::ShaderStageFlagBits::eCompute, 0, values);
-        commands.dispatch(groups(level_sizes_[i].width), static_cast<std::uint32_t>(rows.end - rows.begin), slices_);
+        commands.dispatch(groups(level_sizes_[i].width, group_columns),
+                          static_cast<std::uint32_t>(rows.end - rows.begin), groups(slices_, group_slices));
         gpu::full_barrier(commands);
     }
 }

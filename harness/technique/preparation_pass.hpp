@@ -9,6 +9,7 @@
 #include "technique/technique.hpp"
 #include "technique/work_counters.hpp"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ struct CompiledPass {
     /// Where the device ends loops.
     std::optional<gpu::CompiledStage> probed;
     gpu::SpecializationValues constants;
+    /// The same by their constant_id, in whose order the key of the maps has them.
+    std::map<std::uint32_t, std::uint32_t> values_by_id;
 };
 
 CompiledPass compile(const gpu::Device& device, const Technique& technique, const PassDeclaration& declaration,

@@ -15,6 +15,12 @@ namespace reliefbench {
 
 namespace {
 
+/// Numbers of what is declared here, above all that harness/shaders declares itself: a module in which two meet is an
+/// Error (gpu/shader_interface.hpp).
+constexpr std::uint32_t first_parameter_constant = 16;
+constexpr std::uint32_t target_map_binding = 6;
+constexpr std::uint32_t first_derived_map_binding = 8;
+
 constexpr const char* pass_file = "pass.glsl";
 constexpr const char* probed_definition = "#define RELIEFBENCH_PROBED 1\n";
 
@@ -53,7 +59,7 @@ std::string declare_compile_time(const Parameter& parameter, const ParameterValu
 /// those of compile time.
 std::string declare_parameters(const Manifest& manifest, const ParameterValues& values) {
     std::string text;
-    std::uint32_t id = constant::first_parameter - 1;
+    std::uint32_t id = first_parameter_constant - 1;
     for (const Parameter& parameter : manifest.parameters) {
         ++id;
         for (std::size_t i = 0; i < parameter.choices.size(); ++i)
@@ -90,7 +96,7 @@ std::string compile_time_key(const Manifest& manifest, const ParameterValues& va
 }
 
 std::string declare_map(const MapDeclaration& map, std::size_t index) {
-    return fmt::format("layout(set = 0, binding = {}) uniform {} {};\n", binding::first_derived_map + index,
+    return fmt::format("layout(set = 0, binding = {}) uniform {} {};\n", first_derived_map_binding + index,
                        map.is_volume() ? "sampler3D" : "sampler2D", map.name);
 }
 
@@ -194,7 +200,7 @@ gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& tech
     const MapDeclaration& target = find_map(manifest, pass.writes);
     const bool folds = pass.sliced && pass.sliced->over == Slicing::Over::sources;
     // The format names of technique.json are GLSL's.
-    preamble += fmt::format("layout(set = 0, binding = {}, {}) uniform {} {} target_map;\n", binding::target_map,
+    preamble += fmt::format("layout(set = 0, binding = {}, {}) uniform {} {} target_map;\n", target_map_binding,
                             target.format, folds ? "" : "writeonly", target.is_volume() ? "image3D" : "image2D");
     if (target.is_volume()) preamble += "#define RELIEFBENCH_VOLUME 1\n";
     if (folds) preamble += "#define RELIEFBENCH_FOLDS 1\n";
@@ -211,12 +217,12 @@ gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& tech
 
 gpu::SpecializationValues parameter_constants(const Manifest& manifest, const ParameterValues& values) {
     gpu::SpecializationValues constants;
-    std::uint32_t id = constant::first_parameter;
     for (const Parameter& parameter : manifest.parameters) {
         const auto found = values.find(parameter.name);
         if (found == values.end()) fail("technique '{}': parameter '{}' has no value", manifest.id, parameter.name);
         const std::string problem = check_parameter_value(parameter, found->second);
         if (!problem.empty()) fail("technique '{}': parameter '{}': {}", manifest.id, parameter.name, problem);
+        if (parameter.compile_time) continue;
 
         std::uint32_t bits = 0;
         switch (parameter.type) {
@@ -236,24 +242,24 @@ gpu::SpecializationValues parameter_constants(const Manifest& manifest, const Pa
                 break;
             }
         }
-        constants[id++] = bits;
+        constants[parameter.name] = bits;
     }
     return constants;
 }
 
 gpu::SpecializationValues self_shadow_constants(const SelfShadow& self_shadow) {
     // What is off leaves its other settings alone: all of them share one pipeline.
-    if (self_shadow.mode == SelfShadow::Mode::off) return {{constant::self_shadow, self_shadow_method::off}};
+    if (self_shadow.mode == SelfShadow::Mode::off) return {{"self_shadow", self_shadow_method::off}};
     const bool hard = self_shadow.mode == SelfShadow::Mode::hard;
     const bool dykhta = self_shadow.soft == SelfShadow::Soft::dykhta;
     const auto bits = [](double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); };
-    return {{constant::self_shadow, hard     ? self_shadow_method::hard
-                                    : dykhta ? self_shadow_method::dykhta
-                                             : self_shadow_method::tatarchuk},
-            {constant::self_shadow_bias, bits(hard ? self_shadow.hard_bias : self_shadow.dykhta_bias)},
-            {constant::self_shadow_min_steps, static_cast<std::uint32_t>(self_shadow.min_steps)},
-            {constant::self_shadow_max_steps, static_cast<std::uint32_t>(self_shadow.max_steps)},
-            {constant::self_shadow_softening, bits(self_shadow.softening)}};
+    return {{"self_shadow", hard     ? self_shadow_method::hard
+                            : dykhta ? self_shadow_method::dykhta
+                                     : self_shadow_method::tatarchuk},
+            {"self_shadow_bias", bits(hard ? self_shadow.hard_bias : self_shadow.dykhta_bias)},
+            {"self_shadow_min_steps", static_cast<std::uint32_t>(self_shadow.min_steps)},
+            {"self_shadow_max_steps", static_cast<std::uint32_t>(self_shadow.max_steps)},
+            {"self_shadow_softening", bits(self_shadow.softening)}};
 }
 
 std::vector<std::size_t> maps_before(const Manifest& manifest, const PassDeclaration& pass) {

@@ -156,16 +156,16 @@ DrawSetup Renderer::State::make_setup(const View& from, const gpu::Buffer& value
     result.extent.height = static_cast<std::uint32_t>(from.resolution.height);
     result.parameters = parameters;
     result.constants = parameter_constants(technique.manifest, parameters);
-    result.constants[constant::lighting_enabled] = lighting.enabled ? 1 : 0;
-    result.constants[constant::relief_repeats] = from.relief.boundary == Boundary::repeat ? 1 : 0;
+    result.constants["lighting_enabled"] = lighting.enabled ? 1 : 0;
+    result.constants["relief_repeats"] = from.relief.boundary == Boundary::repeat ? 1 : 0;
     result.constants.merge(self_shadow_constants(from.self_shadow));
     result.bindings = scene.textures().all_bindings();
-    result.bindings.push_back(gpu::uniform_buffer(binding::scene, values.buffer));
+    result.bindings.push_back(gpu::uniform_buffer(scene_block_name, values.buffer));
     for (const gpu::Binding& map : maps.draw_bindings())
         result.bindings.push_back(map);
     result.depth_write = from.depth_write;
     if (object)
-        result.object.emplace(device, *object, technique.shaders, gpu::uniform_buffer(binding::scene, values.buffer));
+        result.object.emplace(device, *object, technique.shaders, gpu::uniform_buffer(scene_block_name, values.buffer));
     result.vertices = quad_corners;
     const Shape& shape = technique.manifest.shape;
     if (shape.kind == Shape::Kind::patches) {

@@ -1,5 +1,4 @@
 #include "core/error.hpp"
-#include "technique/program.hpp"
 #include "technique/scene_textures.hpp"
 
 #include <algorithm>
@@ -90,15 +89,15 @@ SceneOnDevice::Textures::Textures(const gpu::Device& device, const HeightMap& ma
 
 std::vector<gpu::Binding> SceneOnDevice::Textures::height_bindings() const {
     constexpr auto layout = vk::ImageLayout::eShaderReadOnlyOptimal;
-    return {gpu::sampled_image(binding::height_map, heights.view, linear_repeat, layout),
-            gpu::sampled_image(binding::height_texels, heights.view, nearest_repeat, layout)};
+    return {gpu::sampled_image("height_map", heights.view, linear_repeat, layout),
+            gpu::sampled_image("height_texels", heights.view, nearest_repeat, layout)};
 }
 
 std::vector<gpu::Binding> SceneOnDevice::Textures::all_bindings() const {
     constexpr auto layout = vk::ImageLayout::eShaderReadOnlyOptimal;
     std::vector<gpu::Binding> bindings = height_bindings();
-    bindings.push_back(gpu::sampled_image(binding::height_derivatives, derivatives.view, linear_repeat, layout));
-    bindings.push_back(gpu::sampled_image(binding::albedo, albedo.view, linear_repeat, layout));
+    bindings.push_back(gpu::sampled_image("height_derivatives", derivatives.view, linear_repeat, layout));
+    bindings.push_back(gpu::sampled_image("albedo_map", albedo.view, linear_repeat, layout));
     return bindings;
 }
 

@@ -46,7 +46,10 @@ static_assert(offsetof(SceneUniforms, ambient) == 224);
 static_assert(offsetof(SceneUniforms, resolution) == 272);
 static_assert(sizeof(SceneUniforms) == 304);
 
-/// The uniform block of harness/shaders/contract/scene.glsl, std140.
+/// The name of the uniform block in harness/shaders/contract/scene.glsl.
+inline constexpr const char* scene_block_name = "scene_block";
+
+/// That block, std140.
 struct SceneBlock {
     std::int32_t index;
     std::array<std::int32_t, 3> padding;

@@ -40,6 +40,9 @@ public:
         std::uint32_t unconverged() const { return flags & ~(covered_bit | cut_bit | fault_mask); }
     };
 
+    /// Of the block in GLSL.
+    static constexpr const char* name = "work";
+
     WorkCounters(const gpu::Device& device, std::size_t pixels);
 
     /// To 0, before what counts.

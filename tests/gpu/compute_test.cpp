@@ -35,8 +35,8 @@ TEST(Compute, RunsWithSpecializationConstants) {
     constexpr std::uint32_t count = 256;
     const Buffer buffer(device, count * sizeof(std::uint32_t), vk::BufferUsageFlagBits::eStorageBuffer, true);
     const Pipeline pipeline =
-        make_compute_pipeline(device, {.shader = compile_compute(counting_shader), .constants = {{3, 5}}},
-                              {{storage_buffer(0, buffer.buffer)}});
+        make_compute_pipeline(device, {.shader = compile_compute(counting_shader), .constants = {{"factor", 5}}},
+                              {{storage_buffer("Values", buffer.buffer)}});
     const Timestamps timestamps(device, 2);
     submit_and_wait(device, "count", [&](const vk::raii::CommandBuffer& commands) {
         timestamps.reset(commands);
@@ -62,8 +62,8 @@ TEST(Compute, PipelinesOfTheSameMakingAreShared) {
     const Buffer second(device, 256, vk::BufferUsageFlagBits::eStorageBuffer, true);
     const CompiledStage shader = compile_compute(counting_shader);
     const auto make = [&](const Buffer& buffer, std::uint32_t factor) {
-        return make_compute_pipeline(device, {.shader = shader, .constants = {{3, factor}}},
-                                     {{storage_buffer(0, buffer.buffer)}});
+        return make_compute_pipeline(device, {.shader = shader, .constants = {{"factor", factor}}},
+                                     {{storage_buffer("Values", buffer.buffer)}});
     };
     const Pipeline one = make(first, 5);
     EXPECT_EQ(one.shared, make(second, 5).shared) << "what is bound is no part of the making";

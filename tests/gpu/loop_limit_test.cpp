@@ -37,7 +37,7 @@ std::array<std::uint32_t, 2> count_twice(const Device& device, std::uint32_t ask
     const Buffer buffer =
         make_filled_buffer(device, vk::BufferUsageFlagBits::eStorageBuffer, std::as_bytes(std::span(values)));
     const Pipeline pipeline = make_compute_pipeline(device, {.shader = {ShaderStage::compute, code}, .constants = {}},
-                                                    {{storage_buffer(0, buffer.buffer)}});
+                                                    {{storage_buffer("loops", buffer.buffer)}});
     submit_and_wait(device, "count", [&](const vk::raii::CommandBuffer& commands) {
         pipeline.bind(commands);
         commands.dispatch(1, 1, 1);
