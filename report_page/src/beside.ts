@@ -1,6 +1,7 @@
 // Values of an axis or a parameter beside each other: cells that differ in nothing else.
 
 import { type Cells, leadingNumber, numberOf, techniqueOf, type ValueColumn, valueText } from "./data.ts";
+import { hitErrors } from "./defaults.ts";
 
 /** One cell per column, -1 where there is none. */
 export interface BesideRow {
@@ -21,8 +22,6 @@ export interface Beside {
 }
 
 const mostColumns = 8;
-/** Errors of hits: equal for all of them means that the hits are. */
-const hitErrors = ["error.uv_texels.mean", "error.uv_texels.max", "error.missed", "error.false_hits"];
 
 interface Named {
   id: string;
@@ -32,7 +31,7 @@ interface Named {
 
 function namedColumns(cells: Cells): Named[] {
   const axes = Object.entries(cells.axes).map(([name, column]) => ({ id: `axis.${name}`, name, column }));
-  const parameters = Object.entries(cells.params).map(([name, column]) => ({ id: `param.${name}`, name, column }));
+  const parameters = Object.entries(cells.parameters).map(([name, column]) => ({ id: `param.${name}`, name, column }));
   return [...axes, ...parameters];
 }
 

@@ -14,7 +14,7 @@ export interface Cells {
   id: string[];
   words: Record<string, ValueColumn>;
   axes: Record<string, ValueColumn>;
-  params: Record<string, ValueColumn>;
+  parameters: Record<string, ValueColumn>;
   numbers: Record<string, (number | null)[]>;
 }
 
@@ -149,13 +149,17 @@ export interface PageData {
 }
 
 /** As the file has it. */
-export interface PackedPageData extends Omit<PageData, "comparison"> {
+export interface PackedPageData extends Omit<PageData, "comparison" | "runs"> {
+  runs: (Omit<RunData, "cells"> & { cells: PackedCells })[];
   comparison:
     | (Omit<PageComparison, "result"> & {
         result: (Omit<ComparisonResult, "cells"> & { cells: VerdictColumns }) | null;
       })
     | null;
 }
+
+/** Runs' parameters by either of their names. */
+export type PackedCells = Omit<Cells, "parameters"> & Partial<Record<"parameters" | "params", Cells["parameters"]>>;
 
 export function unpackVerdicts(columns: VerdictColumns, ids: readonly string[]): CellVerdict[] {
   const changes = new Map(columns.changes);
@@ -172,10 +176,14 @@ export function unpackVerdicts(columns: VerdictColumns, ids: readonly string[]):
 
 export function unpackPage(packed: PackedPageData): PageData {
   const { comparison } = packed;
-  if (comparison === null || comparison.result === null) return { ...packed, comparison: comparison as null };
+  const runs = packed.runs.map((run) => ({
+    ...run,
+    cells: { ...run.cells, parameters: run.cells.parameters ?? run.cells.params ?? {} },
+  }));
+  if (comparison === null || comparison.result === null) return { ...packed, runs, comparison: comparison as null };
   const ids = packed.runs.flatMap((run) => run.cells.id);
   const result = { ...comparison.result, cells: unpackVerdicts(comparison.result.cells, ids) };
-  return { ...packed, comparison: { ...comparison, result } };
+  return { ...packed, runs, comparison: { ...comparison, result } };
 }
 
 export function valueText(value: Json): string {

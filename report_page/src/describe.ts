@@ -2,6 +2,7 @@
 
 import type { App } from "./app.ts";
 import { type Cells, reasonOf, settingOf, statusOf, techniqueOf, viewLabel, viewOf } from "./data.ts";
+import { usualCost, usualError } from "./defaults.ts";
 import { h } from "./dom.ts";
 import {
   costMetrics,
@@ -13,8 +14,6 @@ import {
   type Metric,
   metricById,
   metricText,
-  usualCost,
-  usualError,
 } from "./metrics.ts";
 import { markElement } from "./palette.ts";
 

@@ -45,18 +45,34 @@ export interface Choice {
   label: string;
 }
 
+/** Choices under a heading. */
+export interface ChoiceGroup {
+  title: string;
+  choices: Choice[];
+}
+
+/** Elements for a list to choose from. */
+export function optionElements(choices: readonly (Choice | ChoiceGroup)[]): HTMLElement[] {
+  return choices.map((choice) =>
+    "choices" in choice
+      ? h("optgroup", { attrs: { label: choice.title } }, ...optionElements(choice.choices))
+      : h("option", { attrs: { value: choice.value } }, choice.label),
+  );
+}
+
 export interface Select {
   element: HTMLElement;
   select: HTMLSelectElement;
 }
 
 /** A labelled list to choose from. */
-export function choose(label: string, choices: Choice[], value: string, onChange: (value: string) => void): Select {
-  const select = h(
-    "select",
-    { on: { change: () => onChange(select.value) } },
-    ...choices.map((choice) => h("option", { attrs: { value: choice.value } }, choice.label)),
-  );
+export function choose(
+  label: string,
+  choices: readonly (Choice | ChoiceGroup)[],
+  value: string,
+  onChange: (value: string) => void,
+): Select {
+  const select = h("select", { on: { change: () => onChange(select.value) } }, ...optionElements(choices));
   select.value = value;
   return { element: h("label", { class: "field" }, h("span", {}, label), select), select };
 }

@@ -1,6 +1,19 @@
 // Figures of cells as costs and errors: label, unit and direction are those of the page's list of figures.
 
 import { type Cells, type Figure, hasFigure, numberOf, type Tolerance } from "./data.ts";
+import {
+  drawInterval,
+  drawOutliers,
+  drawSamples,
+  drawTime,
+  falseHits,
+  infiniteRatio,
+  missedHits,
+  qualityGroups,
+  timePerPixel,
+  wrongHits,
+} from "./defaults.ts";
+import { groupOf, parentOf } from "./figures.ts";
 import { bytesText, figureText } from "./numbers.ts";
 
 /** Missed and false hits above this fraction of the footprint: discarding hard pixels wins nothing. */
@@ -32,11 +45,10 @@ export function shownUnit(unit: string): string {
   return unit.replace(fraction, "%");
 }
 
-/** The ratio of a picture without an error to its noise has no number in JSON. */
 function valueOf(cells: Cells, path: string, cell: number): number | null {
   const value = numberOf(cells, path, cell);
-  if (value !== null || !path.endsWith(".psnr")) return value;
-  return numberOf(cells, path.replace(/psnr$/, "rmse"), cell) === 0 ? Infinity : null;
+  if (value !== null || !path.endsWith(`.${infiniteRatio.ratio}`)) return value;
+  return numberOf(cells, `${parentOf(path)}.${infiniteRatio.noise}`, cell) === 0 ? Infinity : null;
 }
 
 /** By cell, in the unit that `shownUnit` gives. */
@@ -48,9 +60,9 @@ export function shownFigure(cells: Cells, figure: Pick<Figure, "path" | "unit">)
   };
 }
 
-/** Time, work and memory; of these groups, fractions of pixels say how well the work was done. */
+/** What a cell takes. The higher the better, or a fraction of pixels: that says how well it was drawn. */
 function isCost(figure: Figure): boolean {
-  return /^(time|work|prepare)\./.test(figure.path) && !fraction.test(figure.unit);
+  return figure.better === "lower" && !fraction.test(figure.unit) && !qualityGroups.includes(groupOf(figure.path));
 }
 
 function metricOf(figure: Figure, better: Better): Metric {
@@ -65,18 +77,20 @@ function metricOf(figure: Figure, better: Better): Metric {
   };
 }
 
+/** Whether it rests on samples of the draw. */
+export const isTime = (metric: Pick<Metric, "id">) => groupOf(metric.id) === groupOf(drawTime);
+
 /** A time with the relative 95 % interval of the draw's median, which is as good a guess for the others; else null. */
 export function likelyInterval(metric: Pick<Metric, "id" | "of">, cells: Cells, cell: number): [number, number] | null {
-  const value = metric.id.startsWith("time.") ? metric.of(cells, cell) : null;
-  const median = numberOf(cells, "time.draw.median_ms", cell);
-  const low = numberOf(cells, "time.draw.ci95_ms.low", cell);
-  const high = numberOf(cells, "time.draw.ci95_ms.high", cell);
+  const value = isTime(metric) ? metric.of(cells, cell) : null;
+  const median = numberOf(cells, drawTime, cell);
+  const [low, high] = [numberOf(cells, drawInterval[0], cell), numberOf(cells, drawInterval[1], cell)];
   if (value === null || !median || low === null || high === null) return null;
   return [(value * low) / median, (value * high) / median];
 }
 
 /** Of these it is their own: the draw's median, and the same over pixels. */
-const withInterval = ["time.draw.median_ms", "time.ns_per_pixel"];
+const withInterval = [drawTime, timePerPixel];
 
 /** The figure's 95 % interval, in its unit; null for figures and cells that have none. */
 export function intervalOf(metric: Pick<Metric, "id" | "of">, cells: Cells, cell: number): [number, number] | null {
@@ -88,65 +102,61 @@ export const outlierLimit = 0.1;
 
 /** Outliers of the draw and its samples, where there are too many; else null. */
 export function manyOutliers(cells: Cells, cell: number): { outliers: number; samples: number } | null {
-  const outliers = numberOf(cells, "time.draw.outliers", cell);
-  const samples = numberOf(cells, "time.draw.n", cell);
+  const outliers = numberOf(cells, drawOutliers, cell);
+  const samples = numberOf(cells, drawSamples, cell);
   if (outliers === null || samples === null || outliers <= outlierLimit * samples) return null;
   return { outliers, samples };
 }
 
 /** Missed and false hits together, a fraction of the footprint; null where nothing was compared with a truth. */
-export function wrongHits(cells: Cells, cell: number): number | null {
-  const missed = numberOf(cells, "error.missed", cell);
-  const falseHits = numberOf(cells, "error.false_hits", cell);
-  return missed === null || falseHits === null ? null : missed + falseHits;
+export function wrongHitsOf(cells: Cells, cell: number): number | null {
+  const missed = numberOf(cells, missedHits, cell);
+  const invented = numberOf(cells, falseHits, cell);
+  return missed === null || invented === null ? null : missed + invented;
 }
 
 /** Whether the cell's errors count. */
 export function hitsWithinLimit(cells: Cells, cell: number): boolean {
-  const wrong = wrongHits(cells, cell);
+  const wrong = wrongHitsOf(cells, cell);
   return wrong !== null && wrong <= hitLimit;
 }
 
 export const wrongHitsMetric: Metric = {
-  id: "error.wrong_hits",
+  id: wrongHits,
   label: "Missed and false hits",
   unit: "% of footprint",
   better: "lower",
   role: "error",
   tolerance: { absolute: 0.1, relative: 0 },
   of(cells, cell) {
-    const wrong = wrongHits(cells, cell);
+    const wrong = wrongHitsOf(cells, cell);
     return wrong === null ? null : 100 * wrong;
   },
 };
+
+/** Whether any cell has the figure. */
+export function hasValues(cells: Cells, path: string): boolean {
+  return hasFigure(cells, path) && cells.numbers[path]!.some((value) => value !== null);
+}
 
 /** Those that some cell has and that have a direction, in the order of the list. */
 function metricsOf(figures: readonly Figure[], cells: Cells, wanted: (figure: Figure) => boolean): Metric[] {
   return figures.flatMap((figure) => {
     const { path, better } = figure;
-    const there = hasFigure(cells, path) && cells.numbers[path]!.some((value) => value !== null);
-    return there && better !== "neither" && wanted(figure) ? [metricOf(figure, better)] : [];
+    return hasValues(cells, path) && better !== "neither" && wanted(figure) ? [metricOf(figure, better)] : [];
   });
 }
 
 export function errorMetrics(figures: readonly Figure[], cells: Cells): Metric[] {
   const metrics = metricsOf(figures, cells, (figure) => !isCost(figure));
-  const falseHits = metrics.findIndex(({ id }) => id === "error.false_hits");
-  if (falseHits >= 0) metrics.splice(falseHits + 1, 0, wrongHitsMetric);
+  const behind = metrics.findIndex(({ id }) => id === falseHits);
+  if (behind >= 0) metrics.splice(behind + 1, 0, wrongHitsMetric);
   return metrics;
 }
 
 export function costMetrics(figures: readonly Figure[], cells: Cells): Metric[] {
   return metricsOf(figures, cells, isCost);
 }
-
-/** What is shown unless something else is chosen, the first that the run has. */
-export const usualError = ["error.uv_texels.p99"];
-/** Of advice: what is seen decides; over the footprint, over the whole picture, where there are no pictures the hits. */
-export const usualQuality = ["image.footprint.flip", "image.flip", ...usualError];
-/** Where an axis changes no hit: what shadows, depth or filters do to the picture. */
-export const usualErrorOfSameHits = ["error.shadow.mean", "image.footprint.flip", "image.flip"];
-export const usualCost = ["time.draw.median_ms"];
 
 /** The first of these ids that there is, else the first metric; null where there is none at all. */
 export function metricById(metrics: readonly Metric[], ...ids: string[]): Metric | null {
@@ -166,6 +176,16 @@ export function advantage(better: Better, a: number, b: number): number {
 /** The worst of the values; there must be one. */
 export function worstOf(better: Better, values: readonly number[]): number {
   return values.reduce((worst, value) => (advantage(better, worst, value) > 0 ? value : worst));
+}
+
+/** The figure of a path as the list declares it; of a number that it does not declare only the path is known. */
+export function declared(figures: readonly Figure[], path: string): Pick<Figure, "path" | "label" | "unit"> {
+  return figures.find((figure) => figure.path === path) ?? { path, label: path, unit: "" };
+}
+
+/** "Missed hits (% of footprint)" */
+export function figureTitle(figure: Pick<Figure, "label" | "unit">): string {
+  return metricTitle({ label: figure.label, unit: shownUnit(figure.unit) });
 }
 
 /** "UV error, p99 (texels)" */

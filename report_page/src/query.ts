@@ -1,4 +1,4 @@
-// The language of the table's search: words, and conditions on columns ("pom -perspective view_angle=60 uv<0.5").
+// The language of the table's search: words, and conditions on columns ("rock -perspective view_angle=60 uv<0.5").
 
 export type Relation = "=" | "<" | "<=" | ">" | ">=";
 

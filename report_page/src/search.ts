@@ -80,19 +80,18 @@ function holdsFor(column: ValueColumn, passes: (value: Json) => boolean): (cell:
 
 /** What words are searched in: technique, status, reason, every axis and every parameter, at its default or not. */
 function searchedColumns(cells: Cells): ValueColumn[] {
-  return [cells.words, cells.axes, cells.params].flatMap((columns) => Object.values(columns));
+  return [cells.words, cells.axes, cells.parameters].flatMap((columns) => Object.values(columns));
 }
 
-/** By name, in lower case. Of equal names the first is meant: a title in the table, an axis, a parameter, a field. */
+/** By name, in lower case. Of equal names the first is meant: an axis, a parameter, a figure's short name, a field. */
 function namedColumns(cells: Cells, figures: readonly NamedFigure[]): Map<string, SearchColumn> {
   const named = new Map<string, SearchColumn>();
   const add = (name: string, column: SearchColumn) => {
     if (!named.has(name.toLowerCase())) named.set(name.toLowerCase(), column);
   };
-  for (const { name, of } of figures) add(name, { figure: of });
   const groups = [
     ["axes", cells.axes],
-    ["params", cells.params],
+    ["parameters", cells.parameters],
     ["", cells.words],
   ] as const;
   for (const [group, columns] of groups) {
@@ -102,6 +101,7 @@ function namedColumns(cells: Cells, figures: readonly NamedFigure[]): Map<string
       if (group !== "") add(`${group}.${name}`, { values: column });
     }
   }
+  for (const { name, of } of figures) add(name, { figure: of });
   for (const path of Object.keys(cells.numbers)) add(path, { figure: (cell) => numberOf(cells, path, cell) });
   return named;
 }

@@ -1,7 +1,17 @@
 // Time and error over an axis, over a parameter or over steps: which cells make a line.
 
-import { type Cells, leadingNumber, numberOf, settingOf, techniqueOf, textOf, type ValueColumn } from "./data.ts";
-import type { Metric } from "./metrics.ts";
+import {
+  type Cells,
+  type Figure,
+  leadingNumber,
+  numberOf,
+  settingOf,
+  techniqueOf,
+  textOf,
+  type ValueColumn,
+} from "./data.ts";
+import { steps as stepsFigure } from "./defaults.ts";
+import { declared, figureTitle, type Metric } from "./metrics.ts";
 import { arithmeticMean, extent, geometricMean } from "./numbers.ts";
 
 /** What stands on the horizontal axis. */
@@ -67,14 +77,14 @@ export function sweptTitle(axis: string): string {
 }
 
 /** Steps first, then axes, then parameters that more than one value was measured of. */
-export function abscissas(cells: Cells): Abscissa[] {
+export function abscissas(figures: readonly Figure[], cells: Cells): Abscissa[] {
   const all: Abscissa[] = [];
-  if ((cells.numbers["work.steps_mean"] ?? []).some((value) => value !== null && value > 0)) {
+  if ((cells.numbers[stepsFigure] ?? []).some((value) => value !== null && value > 0)) {
     all.push({
       id: steps,
-      label: "Steps per pixel",
+      label: figureTitle(declared(figures, stepsFigure)),
       of: (of, cell) => {
-        const value = numberOf(of, "work.steps_mean", cell);
+        const value = numberOf(of, stepsFigure, cell);
         return value !== null && value > 0 ? value : null;
       },
       scale: "log",
@@ -83,7 +93,7 @@ export function abscissas(cells: Cells): Abscissa[] {
   for (const [axis, column] of Object.entries(cells.axes)) {
     if (numericColumn(column)) all.push(columnAbscissa(`axis.${axis}`, sweptTitle(axis), column));
   }
-  for (const [parameter, column] of Object.entries(cells.params)) {
+  for (const [parameter, column] of Object.entries(cells.parameters)) {
     if (numericColumn(column)) all.push(columnAbscissa(`param.${parameter}`, parameter, column));
   }
   return all;
@@ -102,7 +112,7 @@ export function runningParameters(cells: Cells, selection: readonly number[]): M
   const running = new Map<string, Set<string>>();
   for (const [technique, members] of byTechnique) {
     const values = new Map<string, Set<number>>();
-    for (const [parameter, column] of Object.entries(cells.params)) {
+    for (const [parameter, column] of Object.entries(cells.parameters)) {
       const used = new Set(members.map((cell) => column.index[cell] ?? -1).filter((at) => at >= 0));
       const numeric = [...used].every((at) => typeof column.values[at] === "number");
       if (numeric && used.size > 1) values.set(parameter, used);
@@ -122,8 +132,8 @@ export function runningParameters(cells: Cells, selection: readonly number[]): M
 function followsFrom(cells: Cells, members: readonly number[], main: string, parameter: string): boolean {
   const implied = new Map<number, number>();
   return members.every((cell) => {
-    const from = cells.params[main]!.index[cell] ?? -1;
-    const to = cells.params[parameter]!.index[cell] ?? -1;
+    const from = cells.parameters[main]!.index[cell] ?? -1;
+    const to = cells.parameters[parameter]!.index[cell] ?? -1;
     const known = implied.get(from);
     if (known === undefined) implied.set(from, to);
     return known === undefined || known === to;

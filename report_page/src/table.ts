@@ -5,6 +5,7 @@ import { fill, h } from "./dom.ts";
 export interface Column<Row> {
   id: string;
   title: string;
+  unit?: string;
   /** What the column is, in full. */
   help?: string;
   number: boolean;
@@ -126,6 +127,7 @@ export class Table<Row> {
               "button",
               { attrs: { type: "button" }, on: { click: () => this.options.onSort(column.id) } },
               column.title,
+              column.unit ? h("span", { class: "unit" }, column.unit) : null,
               column.id === name ? h("span", { class: "arrow" }, direction === "ascending" ? " ↑" : " ↓") : null,
             ),
           ),

@@ -9,7 +9,7 @@ function cell(technique: string, axes: Record<string, Json>, params: Record<stri
   return {
     id: `${technique} ${JSON.stringify(params)} | ${JSON.stringify(axes)}`,
     axes,
-    params,
+    parameters: params,
     numbers: { "error.uv_texels.mean": uv, "error.uv_texels.max": uv, "error.missed": 0, "error.false_hits": 0 },
   };
 }

@@ -5,7 +5,7 @@ import type { Cells, Figure, Json, ValueColumn } from "../src/data.ts";
 export interface SampleCell {
   id: string;
   axes?: Record<string, Json>;
-  params?: Record<string, Json>;
+  parameters?: Record<string, Json>;
   status?: string;
   reason?: string;
   numbers?: Record<string, number>;
@@ -39,7 +39,7 @@ export function cellsOf(rows: SampleCell[]): Cells {
       reason_group: column(rows.map((row) => row.reason)),
     },
     axes: columns(rows.map((row) => row.axes ?? {})),
-    params: columns(rows.map((row) => row.params ?? {})),
+    parameters: columns(rows.map((row) => row.parameters ?? {})),
     numbers: Object.fromEntries([...paths].map((path) => [path, rows.map((row) => row.numbers?.[path] ?? null)])),
   };
 }
@@ -89,7 +89,7 @@ export function measured(
   return {
     id: `${technique} max_steps=${steps} | view_angle=${angle}`,
     axes: { view_angle: angle },
-    params: { max_steps: steps },
+    parameters: { max_steps: steps },
     numbers: {
       "time.draw.median_ms": ms,
       "error.uv_texels.p99": uv,

@@ -156,7 +156,10 @@ test("why a setting is advised stands beside it, so that a better one that it ca
     /Use pom: FLIP[^0-9]* 0\.00167.*The least FLIP[^0-9]* within the budget is 0\.000455, of qdm: too near to 0\.00167 to be told apart \(that takes more than 0\.002 and 2 %\); it is the cheapest of the 2 settings of which that is so\./,
   );
   await open("near", "view=advice&budget=5&limit.error.uv_texels.p99=1");
-  assert.match(await page.textContent(".answer .why"), /^It is the cheapest of the 2 settings that keep to the limits\.$/);
+  assert.match(
+    await page.textContent(".answer .why"),
+    /^It is the cheapest of the 2 settings that keep to the limits\.$/,
+  );
   await open("near", "view=advice&budget=2");
   assert.match(await page.textContent(".answer .why"), /^Its FLIP.* is the least within the budget\.$/);
   await open("near", "view=advice&budget=0.5");
@@ -336,6 +339,33 @@ test("a link leads to the view that it was taken from", async () => {
   );
   assert.match(await page.textContent(".pin-bar"), /no cell “gone”/);
   await page.waitForSelector(".view-cost .chart canvas");
+});
+
+test("any figure of a run can be chosen, under headings, and a word finds it among the columns", async () => {
+  await open("shadows", "facet=none");
+  const headed = (at) =>
+    page.$$eval(`.field:nth-of-type(${at}) optgroup`, (groups) =>
+      groups.map((group) => [group.label, group.children.length]),
+    );
+  assert.deepEqual(Object.fromEntries(await headed(1))["error · shadow"], 3);
+  const work = Object.fromEntries(await headed(2))["work"];
+  assert.equal(work, 7, "taps, texels, steps and shadow taps, but what is no cost");
+  await page.selectOption(".field:nth-of-type(1) select", "error.shadow.mean");
+  await page.selectOption(".field:nth-of-type(2) select", "work.shadow_taps_p95");
+  assert.match(await page.textContent(".front thead"), /Shadow taps per pixel, p95.*Shadow error, mean \(visibility\)/);
+  await page.keyboard.press("6");
+  await page.click(".picker summary");
+  await page.fill(".picker-list input[type=search]", "missed sh");
+  const shown = () =>
+    page.$$eval(".picker-list :is(legend, label)", (all) =>
+      all.filter((each) => each.checkVisibility()).map((each) => each.textContent),
+    );
+  assert.deepEqual(await shown(), ["error · shadow", "Missed shadow (visibility)"]);
+  await page.click(".picker-list label:visible");
+  assert.match(await page.textContent(".rows th:nth-last-child(1)"), /Missed shadow/);
+  await page.click(".picker-list button");
+  assert.equal(await page.locator("[data-column='error.shadow.missed_shadow']").count(), 0);
+  assert.equal(await page.isChecked(".picker-list label:visible input"), false);
 });
 
 test("keys reach every view, cell, theme and the help", async () => {

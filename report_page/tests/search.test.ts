@@ -22,7 +22,7 @@ function cell(technique: string, axes: Record<string, Json>, params: Record<stri
   return {
     id: `${[technique, ...text(params)].join(" ")} | ${text(axes).join(" ")}`,
     axes: { ...defaults, ...axes },
-    params: { ...shown, ...params },
+    parameters: { ...shown, ...params },
     ...(uv === undefined ? {} : { numbers: { "error.uv_texels.p99": uv, "error.missed": uv / 1000 } }),
   };
 }
@@ -112,7 +112,7 @@ test("a column that there is not is told, with the one that may be meant", () =>
   assert.deepEqual(notes[0]!.correction, { label: "view_angle=60", query: "pom view_angle=60" });
   assert.equal(search("steps<9").notes[0]!.correction!.query, "max_steps<9", "a part of a name will do");
   const far = search("nothing<9").notes[0]!;
-  assert.match(far.text, /no column “nothing” in this run. There are uv, heightmap, /);
+  assert.match(far.text, /no column “nothing” in this run. There are heightmap, /);
   assert.equal(far.correction, null);
 });
 

@@ -8,7 +8,7 @@ import { cellsOf, figures, measured, type SampleCell } from "./cells.ts";
 const leaf = (steps: number, kind: string): SampleCell => ({
   ...measured("qdm", steps, 0, steps, 1),
   id: `qdm max_steps=${steps} min_steps=${steps / 4} leaf=${kind} | view_angle=0`,
-  params: { max_steps: steps, min_steps: steps / 4, leaf: kind },
+  parameters: { max_steps: steps, min_steps: steps / 4, leaf: kind },
 });
 
 const cells = cellsOf([
@@ -25,18 +25,18 @@ const error = metricById(errorMetrics(figures, cells), "error.uv_texels.p99")!;
 const all = cells.id.map((_, at) => at);
 /** Means of logarithms are not exact. */
 const rounded = (value: number | null) => Number(value!.toPrecision(9));
-const over = (id: string) => abscissas(cells).find((each) => each.id === id)!;
+const over = (id: string) => abscissas(figures, cells).find((each) => each.id === id)!;
 
 test("steps, axes and parameters that are numbers can stand below a chart", () => {
   assert.deepEqual(
-    abscissas(cells).map(({ id }) => id),
+    abscissas(figures, cells).map(({ id }) => id),
     ["steps", "axis.view_angle", "param.max_steps", "param.min_steps"],
   );
   const sizes = cellsOf([
     { id: "a | b", axes: { heightmap_size: "128x128", heightmap: "rock" } },
     { id: "a | c", axes: { heightmap_size: "2048x2048", heightmap: "bricks" } },
   ]);
-  const size = abscissas(sizes)[0]!;
+  const size = abscissas(figures, sizes)[0]!;
   assert.equal(size.id, "axis.heightmap_size");
   assert.equal(size.of(sizes, 1), 2048);
   assert.equal(size.scale, "log");
@@ -81,6 +81,6 @@ test("points that rest on different values of another axis are told of", () => {
     { ...measured("pom", 8, 0, 1, 1), axes: { view_angle: 0, heightmap: "rock" } },
     { ...measured("pom", 8, 60, 1, 1), axes: { view_angle: 60, heightmap: "bricks" } },
   ]);
-  const x = abscissas(zipped).find(({ id }) => id === "axis.view_angle")!;
+  const x = abscissas(figures, zipped).find(({ id }) => id === "axis.view_angle")!;
   assert.ok(mixesViews(zipped, lines(zipped, [0, 1], x, cost, error), x));
 });

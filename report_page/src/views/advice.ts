@@ -14,19 +14,20 @@ import {
 } from "../advice.ts";
 import type { App, View } from "../app.ts";
 import { axisValueText, leadingNumber, numberOf, textOf, viewOf } from "../data.ts";
-import { settingElement, warning } from "../describe.ts";
-import { choose, fill, h } from "../dom.ts";
 import {
-  costMetrics,
-  errorMetrics,
-  type Metric,
-  metricById,
-  metricText,
-  metricTitle,
+  coveredPixels,
+  footprint,
+  outsidePixels,
+  timePerPixel,
   usualCost,
   usualError,
   usualQuality,
-} from "../metrics.ts";
+  wholePicture,
+} from "../defaults.ts";
+import { settingElement, warning } from "../describe.ts";
+import { choose, fill, h } from "../dom.ts";
+import { groupedChoices, parentOf } from "../figures.ts";
+import { costMetrics, declared, errorMetrics, type Metric, metricById, metricText, metricTitle } from "../metrics.ts";
 import { counted, extent, median, significant } from "../numbers.ts";
 import {
   comparedWords,
@@ -88,9 +89,10 @@ export function adviceView(app: App): View {
   const { cells } = app.run();
   const errors = errorMetrics(app.data.figures, cells);
   const costs = costMetrics(app.data.figures, cells);
-  const options = (metrics: Metric[]) => metrics.map((metric) => ({ value: metric.id, label: metricTitle(metric) }));
-  const cost = choose("Cost", options(costs), "", (value) => app.update({ cost: value, budget: null }));
-  const error = choose("Better by", options(errors), "", (value) => app.update({ error: value }));
+  const cost = choose("Cost", groupedChoices(costs, metricTitle), "", (value) =>
+    app.update({ cost: value, budget: null }),
+  );
+  const error = choose("Better by", groupedChoices(errors, metricTitle), "", (value) => app.update({ error: value }));
   const fields = new LimitFields(app, [...errors, ...costs]);
   const caution = h("div", { class: "caution" });
   const answers = h("div", { class: "answers" });
@@ -114,7 +116,7 @@ export function adviceView(app: App): View {
       h(
         "span",
         {},
-        "With a budget alone the best within it is advised, or the cheapest of those that are as good; with a limit on an error the cheapest that keeps to all limits. Times are as good as equal where their 95 % intervals overlap; errors where they differ by less than verdicts of quality ask for (FLIP: 0.002 or 2 %; UV: 0.05 texels or 5 %).",
+        "With a budget alone the best within it is advised, or the cheapest of those that are as good; with a limit on an error the cheapest that keeps to all limits. Times are as good as equal where their 95 % intervals overlap; errors where they differ by no more than verdicts of quality ask for.",
       ),
     ),
   );
@@ -161,10 +163,10 @@ export function adviceView(app: App): View {
  */
 function usualQualityOf(app: App): string[] {
   const { cells } = app.run();
-  const [footprint, whole] = usualQuality;
+  const [overFootprint, whole] = usualQuality;
   const lacks = app
     .measured()
-    .some((cell) => numberOf(cells, whole!, cell) !== null && numberOf(cells, footprint!, cell) === null);
+    .some((cell) => numberOf(cells, whole!, cell) !== null && numberOf(cells, overFootprint!, cell) === null);
   return lacks ? usualQuality.slice(1) : usualQuality;
 }
 
@@ -173,12 +175,11 @@ function cautionWords(app: App, error: Metric, known: readonly Metric[]): string
   const { cells } = app.run();
   const unknown = Object.keys(app.state.limits).filter((path) => !known.some(({ id }) => id === path));
   const words = unknown.map((path) => `No measured cell of this run has ${path}: the limit on it is left out.`);
-  const wholePicture = error.id.startsWith("image.") && !error.id.startsWith("image.footprint.");
-  if (wholePicture && app.measured().some((cell) => numberOf(cells, "error.outside_quad.pixels", cell))) {
+  const ofWholePicture = parentOf(error.id) === wholePicture;
+  if (ofWholePicture && app.measured().some((cell) => numberOf(cells, outsidePixels, cell))) {
     words.push(`${error.label}: relief beyond the quad counts, too, which no per-pixel technique can draw.`);
-    const footprint = known.some(({ id }) => id.startsWith("image.footprint."));
     words.push(
-      footprint
+      known.some(({ id }) => parentOf(id) === footprint)
         ? "The figures over the footprint leave it out."
         : "This run is of a version that had no figures over the footprint.",
     );
@@ -299,7 +300,7 @@ function reasonElement(app: App, advice: Advice, winner: Candidate, question: Qu
   return because(
     `The ${best} ${figure} within ${all} is ${metricText(error, least.error)}, of `,
     pinnable(app, least),
-    `: too near to ${metricText(error, winner.error)} to be told apart (${toleranceWords(error)}); ${cheapest}.`,
+    `: too near to ${metricText(error, winner.error)} to be told apart (that takes more than ${toleranceWords(error)}); ${cheapest}.`,
   );
 }
 
@@ -307,16 +308,16 @@ function reasonElement(app: App, advice: Advice, winner: Candidate, question: Qu
 function shareElement(app: App, point: Candidate, { cost }: Question): HTMLElement {
   const { cells } = app.run();
   const shares = point.cells.flatMap((cell) => {
-    const covered = numberOf(cells, "work.covered_pixels", cell);
+    const covered = numberOf(cells, coveredPixels, cell);
     const size = /^(\d+)x(\d+)$/.exec(textOf(cells.axes["resolution"], cell) ?? "");
     return covered === null || size === null ? [] : [covered / (Number(size[1]) * Number(size[2]))];
   });
-  const times = point.cells.flatMap((cell) => numberOf(cells, "time.ns_per_pixel", cell) ?? []);
+  const times = point.cells.flatMap((cell) => numberOf(cells, timePerPixel, cell) ?? []);
   const [least, most] = extent(shares).map((share) => significant(100 * share, 2));
   const parts = [
     ...(shares.length > 0 ? [`relief covers ${least === most ? least : `${least} to ${most}`} % of the picture`] : []),
-    ...(times.length > 0 && cost.id !== "time.ns_per_pixel"
-      ? [`${significant(extent(times)[1])} ns per covered pixel`]
+    ...(times.length > 0 && cost.id !== timePerPixel
+      ? [`${metricText(declared(app.data.figures, timePerPixel), extent(times)[1])} per covered pixel`]
       : []),
   ];
   return h("p", { class: "muted small share" }, `${sentence(parts.join("; "))}.`);

@@ -1,6 +1,8 @@
 // Figures of advice in words.
 
 import type { Candidate, Question } from "../advice.ts";
+import { drawTime, groupOfPixels } from "../defaults.ts";
+import { groupOf } from "../figures.ts";
 import { type Metric, metricText } from "../metrics.ts";
 import { significant } from "../numbers.ts";
 
@@ -10,15 +12,14 @@ export const inSentence = (label: string) =>
 
 export const labelled = (metric: Metric, value: number) => `${inSentence(metric.label)} ${metricText(metric, value)}`;
 
-/** "that takes more than 0.002 and 2 %" */
-export function toleranceWords(error: Metric): string {
-  const { absolute, relative } = error.tolerance;
+/** "0.002 and 2 %": what a difference must exceed to be told. */
+export function toleranceWords({ tolerance: { absolute, relative }, unit }: Metric): string {
   const shortest = (value: number) => String(Number(value.toPrecision(3)));
   const parts = [
-    ...(absolute > 0 ? [`${shortest(absolute)}${error.unit === "" ? "" : ` ${error.unit}`}`] : []),
+    ...(absolute > 0 ? [`${shortest(absolute)}${unit === "" ? "" : ` ${unit}`}`] : []),
     ...(relative > 0 ? [`${shortest(100 * relative)} %`] : []),
   ];
-  return `that takes more than ${parts.join(" and ")}`;
+  return parts.join(" and ");
 }
 
 export function lessText(value: number, before: number): string {
@@ -30,7 +31,7 @@ export function lessText(value: number, before: number): string {
 /** "99 % of its pixels lie within 0.031 texels" */
 export function errorWords(error: Metric, value: number): string {
   const percentile = /\.p(\d+)$/.exec(error.id);
-  if (percentile && error.better === "lower") {
+  if (percentile && error.better === "lower" && groupOf(error.id) === groupOfPixels) {
     const bound = value === 0 ? "have no error" : `are within ${metricText(error, value)}`;
     return `${percentile[1]} % of its pixels ${bound}`;
   }
@@ -38,7 +39,7 @@ export function errorWords(error: Metric, value: number): string {
 }
 
 export function costWords(cost: Metric, value: number): string {
-  if (cost.id === "time.draw.median_ms") return `in ${metricText(cost, value)}`;
+  if (cost.id === drawTime) return `in ${metricText(cost, value)}`;
   return `at ${metricText(cost, value)}${cost.unit === "" ? ` ${cost.label.toLowerCase()}` : ""}`;
 }
 

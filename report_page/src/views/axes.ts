@@ -14,22 +14,13 @@ import {
   ticked,
   tooltipStyle,
 } from "../chart.ts";
-import type { Cells } from "../data.ts";
+import type { Cells, Figure } from "../data.ts";
+import { usualCost, usualError, usualErrorOfSameHits } from "../defaults.ts";
 import { figureElements, outlierWarning, settingElement } from "../describe.ts";
 import { choose, fill, h } from "../dom.ts";
+import { groupedChoices } from "../figures.ts";
 import { measuredCells } from "../filter.ts";
-import {
-  axisTitle,
-  costMetrics,
-  errorMetrics,
-  intervalOf,
-  type Metric,
-  metricById,
-  metricTitle,
-  usualCost,
-  usualError,
-  usualErrorOfSameHits,
-} from "../metrics.ts";
+import { axisTitle, costMetrics, errorMetrics, intervalOf, type Metric, metricById, metricTitle } from "../metrics.ts";
 import { counted, extent, significant } from "../numbers.ts";
 import { filling, lineElement, lineLook, markOf } from "../palette.ts";
 import { figureScale, linearTicks, logRange, logTicks, tickText } from "../scales.ts";
@@ -50,8 +41,8 @@ interface Swept {
 }
 
 /** Numbers that a chart can stand over, and words whose values can stand beside each other. */
-function sweptOf(cells: Cells, measured: readonly number[]): Swept[] {
-  const numbers = abscissas(cells).map((abscissa) => ({ id: abscissa.id, title: abscissa.label, abscissa }));
+function sweptOf(figures: readonly Figure[], cells: Cells, measured: readonly number[]): Swept[] {
+  const numbers = abscissas(figures, cells).map((abscissa) => ({ id: abscissa.id, title: abscissa.label, abscissa }));
   const words = besideIds(cells, measured).filter((id) => !numbers.some((number) => number.id === id));
   return [...numbers, ...words.map((id) => ({ id, title: sweptTitle(id.slice(id.indexOf(".") + 1)), abscissa: null }))];
 }
@@ -60,16 +51,15 @@ export function axesView(app: App): View {
   const { cells } = app.run();
   const errors = errorMetrics(app.data.figures, cells);
   const costs = costMetrics(app.data.figures, cells);
-  const all = sweptOf(cells, measuredCells(cells, [...cells.id.keys()]));
-  const options = (metrics: Metric[]) => metrics.map((metric) => ({ value: metric.id, label: metricTitle(metric) }));
+  const all = sweptOf(app.data.figures, cells, measuredCells(cells, [...cells.id.keys()]));
   const x = choose(
     "Over",
     all.map(({ id, title }) => ({ value: id, label: title })),
     "",
     (value) => app.update({ x: value }),
   );
-  const cost = choose("Cost", options(costs), "", (value) => app.update({ cost: value }));
-  const error = choose("Error", options(errors), "", (value) => app.update({ error: value }));
+  const cost = choose("Cost", groupedChoices(costs, metricTitle), "", (value) => app.update({ cost: value }));
+  const error = choose("Error", groupedChoices(errors, metricTitle), "", (value) => app.update({ error: value }));
   const pin = (data: unknown) => {
     const cell = (data as { point?: LinePoint } | null)?.point?.cells[0];
     if (cell !== undefined) app.update({ pin: app.run().cells.id[cell]! });
@@ -103,7 +93,7 @@ export function axesView(app: App): View {
         return;
       }
       const beside = besideById(cells, app.measured(), swept.id);
-      const usual = beside?.sameHits ? [...usualErrorOfSameHits, ...usualError] : usualError;
+      const usual = beside?.sameHits ? usualErrorOfSameHits : usualError;
       const errorMetric = metricById(errors, app.state.error, ...usual)!;
       x.select.value = swept.id;
       cost.select.value = costMetric.id;

@@ -137,9 +137,7 @@ function notes(beside: Beside, error: Metric): string[] {
     `Cells of a row differ in nothing else. Factors are of the cost over that of ${beside.columns[0]}; their mean is geometric, that of errors arithmetic. ${error.label}: ${error.better} is better, bold is the best of the row.`,
   ];
   if (beside.sameHits) {
-    texts.push(
-      "The hits are the same at every value (UV errors, missed and false hits are equal): only what is made of them differs.",
-    );
+    texts.push("The hits are the same at every value (their errors are equal): only what is made of them differs.");
   }
   if (beside.id.startsWith("axis.") && !beside.sameHits) {
     texts.push("The axis moves the hits of the truth, too: errors at its values are of different views.");

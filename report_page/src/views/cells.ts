@@ -2,60 +2,38 @@
 
 import type { App, View } from "../app.ts";
 import { hasFigure, reasonOf, settingOf, statusOf, techniqueOf, viewLabel } from "../data.ts";
+import { missedHits, shortNames, usualColumns } from "../defaults.ts";
 import { settingElement } from "../describe.ts";
 import { fill, h } from "../dom.ts";
-import { metricTitle, shownFigure, shownUnit } from "../metrics.ts";
-import { counted, figureText } from "../numbers.ts";
+import { grouped } from "../figures.ts";
+import { bareText, declared, figureTitle, hasValues, shownFigure, shownUnit } from "../metrics.ts";
+import { counted } from "../numbers.ts";
 import { type NamedFigure, searchCells, type SearchNote } from "../search.ts";
 import { type Column, identity, sortRows, Table } from "../table.ts";
-
-/**
- * What is shown unless other columns are chosen: titles, which a search knows too, and the first figure that there is. Time
- * and quality come first.
- */
-const usual: [title: string, ...paths: string[]][] = [
-  ["ms", "time.draw.median_ms"],
-  ["uv", "error.uv_texels.p99"],
-  ["uv50", "error.uv_texels.p50"],
-  ["flip", "image.footprint.flip", "image.flip"],
-  ["shadow", "error.shadow.mean"],
-  ["missed", "error.missed"],
-  ["false", "error.false_hits"],
-  ["depth", "error.depth.p99"],
-  ["taps", "work.taps_mean"],
-  ["shadow_taps", "work.shadow_taps_mean"],
-  ["ns/px", "time.ns_per_pixel"],
-  ["± MAD", "time.draw.mad_ms"],
-  ["prep", "prepare.ms"],
-];
 
 interface FigureColumn extends Column<number> {
   key(cell: number): number | null;
 }
 
-/** Of a number that is no declared figure, only its path is known. */
-function figureColumn(app: App, path: string, title: string): FigureColumn {
+function figureColumn(app: App, path: string): FigureColumn {
   const { cells } = app.run();
-  const declared = app.data.figures.find((figure) => figure.path === path);
-  const figure = declared ?? { path, label: path, unit: "" };
+  const figure = declared(app.data.figures, path);
   const of = shownFigure(cells, figure);
-  const metric = { label: figure.label, unit: shownUnit(figure.unit) };
+  const short = Object.keys(shortNames).filter((name) => shortNames[name]!.includes(path));
   return {
     id: path,
-    title,
-    help: `${metricTitle(metric)}: ${path}`,
+    title: figure.label,
+    unit: shownUnit(figure.unit),
+    help: [path, ...short].join("; in a search also "),
     number: true,
     key: of,
-    content: (cell) => figureText(of(cell)),
+    content: (cell) => bareText({ unit: figure.unit }, of(cell)),
   };
 }
 
-function usualColumns(app: App): FigureColumn[] {
+function usualPaths(app: App): string[] {
   const { cells } = app.run();
-  return usual.flatMap(([title, ...paths]) => {
-    const path = paths.find((each) => hasFigure(cells, each));
-    return path === undefined ? [] : [figureColumn(app, path, title)];
-  });
+  return usualColumns.flatMap((paths) => paths.find((path) => hasValues(cells, path)) ?? []);
 }
 
 /** Whose row it is: technique and parameters, what became of it where it was not measured, and below the view. */
@@ -89,7 +67,7 @@ export function cellsView(app: App): View {
     attrs: {
       id: "query",
       type: "search",
-      placeholder: "pom rock −perspective view_angle=60 uv<0.5 status=failed",
+      placeholder: "rock −perspective view_angle=60 uv<0.5 status=failed",
       "aria-label": "Search",
       spellcheck: false,
     },
@@ -113,7 +91,7 @@ export function cellsView(app: App): View {
     element: h(
       "section",
       { class: "view-cells" },
-      h("div", { class: "controls" }, query, count, picker),
+      h("div", { class: "controls" }, query, count, picker.element),
       notes,
       table.element,
       h(
@@ -122,15 +100,16 @@ export function cellsView(app: App): View {
         h(
           "span",
           {},
-          "Words search technique, status, reason and the values of all axes and parameters, defaults included; −word leaves out. Any axis, parameter or column can be compared: view_angle=0,60 technique=pom max_steps>=32 uv<0.5; a field of cells.jsonl by its path and in its unit there (error.missed<0.001).",
+          `Words search technique, status, reason and the values of all axes and parameters, defaults included; −word leaves out. Any axis, parameter or figure can be compared: view_angle=0,60 technique=pom max_steps>=32 uv<0.5; short names are those of scripts/plot.py, in the table's unit, and a field of cells.jsonl goes by its path and in its unit there (${missedHits}<0.001).`,
         ),
       ),
     ),
     refresh() {
       if (document.activeElement !== query) query.value = app.state.query;
-      const figures = figureColumns(app);
+      picker.refresh();
+      const figures = shownPaths(app).map((path) => figureColumn(app, path));
       const columns = [identityColumn(app), ...figures, ...(anyTrouble ? [reasonColumn(app)] : [])];
-      const result = searchCells(cells, app.selection(), app.state.query, namedFigures(app, figures));
+      const result = searchCells(cells, app.selection(), app.state.query, namedFigures(app));
       const rows = sortRows(result.found, columns, app.state.sort);
       fill(count, counted(rows.length, "cell"));
       fill(notes, ...result.notes.map((note) => noteElement(app, note)));
@@ -141,20 +120,19 @@ export function cellsView(app: App): View {
   };
 }
 
-function figureColumns(app: App): FigureColumn[] {
+function shownPaths(app: App): string[] {
   const { cells } = app.run();
   const chosen = app.state.columns.filter((path) => hasFigure(cells, path));
-  const usualOnes = usualColumns(app);
-  if (chosen.length === 0) return usualOnes;
-  return chosen.map(
-    (path) =>
-      usualOnes.find(({ id }) => id === path) ?? figureColumn(app, path, path.replace(/^(time|error|work)\./, "")),
-  );
+  return chosen.length > 0 ? chosen : usualPaths(app);
 }
 
-/** Titles of columns in one word, those that are not shown included. */
-function namedFigures(app: App, shown: FigureColumn[]): NamedFigure[] {
-  return [...usualColumns(app), ...shown].map(({ title, key }) => ({ name: title.replace("± ", ""), of: key }));
+/** Figures under the names that a search knows besides their paths. */
+function namedFigures(app: App): NamedFigure[] {
+  const { cells } = app.run();
+  return Object.entries(shortNames).flatMap(([name, paths]) => {
+    const path = paths.find((each) => hasFigure(cells, each));
+    return path === undefined ? [] : [{ name, of: shownFigure(cells, declared(app.data.figures, path)) }];
+  });
 }
 
 function noteElement(app: App, note: SearchNote): HTMLElement {
@@ -183,34 +161,65 @@ function noteElement(app: App, note: SearchNote): HTMLElement {
   );
 }
 
-/** Any of the figures that the run has. */
-function columnPicker(app: App): HTMLElement {
+/** Any of the figures that the run has; a word leaves those that it is a part of. `refresh` ticks those shown. */
+function columnPicker(app: App): { element: HTMLElement; refresh(): void } {
   const { cells } = app.run();
-  const shown = () => (app.state.columns.length > 0 ? app.state.columns : usualColumns(app).map(({ id }) => id));
-  return h(
-    "details",
-    { class: "picker" },
-    h("summary", {}, "Columns"),
-    h(
-      "div",
-      { class: "picker-list" },
-      h(
-        "button",
-        { class: "link", attrs: { type: "button" }, on: { click: () => app.update({ columns: [] }) } },
-        "the usual ones",
-      ),
-      ...Object.keys(cells.numbers).map((id) => {
-        const box = h("input", {
-          attrs: { type: "checkbox", checked: shown().includes(id) },
-          on: {
-            change: () => {
-              const next = box.checked ? [...shown(), id] : shown().filter((each) => each !== id);
-              app.update({ columns: next });
-            },
-          },
-        });
-        return h("label", {}, box, id);
-      }),
-    ),
+  const ranks = new Map(app.data.figures.map(({ path }, at) => [path, at]));
+  const rank = (path: string) => ranks.get(path) ?? ranks.size;
+  const paths = Object.keys(cells.numbers)
+    .filter((path) => hasValues(cells, path))
+    .sort((a, b) => rank(a) - rank(b));
+  const boxes = new Map<string, HTMLInputElement>();
+  const labelOf = (path: string) => {
+    const box: HTMLInputElement = h("input", {
+      attrs: { type: "checkbox" },
+      on: {
+        change: () => {
+          const shown = shownPaths(app);
+          app.update({ columns: box.checked ? [...shown, path] : shown.filter((each) => each !== path) });
+        },
+      },
+    });
+    boxes.set(path, box);
+    const title = figureTitle(declared(app.data.figures, path));
+    return h("label", { title: path, attrs: { "data-words": `${title} ${path}`.toLowerCase() } }, box, title);
+  };
+  const groups = grouped(paths, (path) => path).map(({ title, figures }) =>
+    h("fieldset", {}, h("legend", {}, title), ...figures.map(labelOf)),
   );
+  const words = h("input", {
+    attrs: { type: "search", placeholder: "Find a figure", "aria-label": "Find a figure", spellcheck: false },
+    on: {
+      input: () => {
+        const wanted = words.value.trim().toLowerCase();
+        for (const group of groups) {
+          const labels = [...group.querySelectorAll<HTMLElement>("label")];
+          for (const label of labels) label.hidden = !label.dataset["words"]!.includes(wanted);
+          group.hidden = labels.every((label) => label.hidden);
+        }
+      },
+    },
+  });
+  return {
+    element: h(
+      "details",
+      { class: "picker" },
+      h("summary", {}, "Columns"),
+      h(
+        "div",
+        { class: "picker-list" },
+        words,
+        h(
+          "button",
+          { class: "link", attrs: { type: "button" }, on: { click: () => app.update({ columns: [] }) } },
+          "the usual ones",
+        ),
+        ...groups,
+      ),
+    ),
+    refresh() {
+      const shown = new Set(shownPaths(app));
+      for (const [path, box] of boxes) box.checked = shown.has(path);
+    },
+  };
 }

@@ -13,8 +13,10 @@ import {
   viewLabel,
   viewOf,
 } from "../data.ts";
+import { drawTime } from "../defaults.ts";
 import { factList, settingElement, sign, warning } from "../describe.ts";
 import { fill, h } from "../dom.ts";
+import { declared, figureTitle } from "../metrics.ts";
 import { changeText, counted, extent, significant } from "../numbers.ts";
 import { linearTicks, logRange, logTicks, tickText } from "../scales.ts";
 import { type Column, identity, sortRows, Table } from "../table.ts";
@@ -146,7 +148,7 @@ function ratioOption(app: App, cells: readonly CellVerdict[], result: Comparison
     cells
       .filter((cell) => cell.verdict === verdict && cell.ratio !== null)
       .map((cell) => ({
-        value: [numberOf(of, "time.draw.median_ms", index.get(cell.cell) ?? -1) ?? 0, cell.ratio!],
+        value: [numberOf(of, drawTime, index.get(cell.cell) ?? -1) ?? 0, cell.ratio!],
         cell,
       }))
       .filter(({ value }) => value[0]! > 0);
@@ -161,7 +163,13 @@ function ratioOption(app: App, cells: readonly CellVerdict[], result: Comparison
   return {
     grid: { left: ink.size * 6, right: ink.size * 2, top: ink.size * 1.5, bottom: ink.size * 4 },
     xAxis: ticked(
-      { ...axisStyle(ink, "Draw time (ms)"), type: "log", min: x.min, max: x.max, nameGap: ink.size * 2.2 },
+      {
+        ...axisStyle(ink, figureTitle(declared(app.data.figures, drawTime))),
+        type: "log",
+        min: x.min,
+        max: x.max,
+        nameGap: ink.size * 2.2,
+      },
       logTicks,
       tickText,
     ),

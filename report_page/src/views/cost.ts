@@ -15,21 +15,22 @@ import {
   viewLabel,
   viewOf,
 } from "../data.ts";
+import { usualCost, usualError } from "../defaults.ts";
 import { settingElement, sign, warning } from "../describe.ts";
 import { choose, fill, h, segments } from "../dom.ts";
+import { groupedChoices } from "../figures.ts";
 import { reasonGroups } from "../filter.ts";
 import {
   costMetrics,
   errorMetrics,
   hitsWithinLimit,
   intervalOf,
+  isTime,
   manyOutliers,
   type Metric,
   metricById,
   metricText,
   metricTitle,
-  usualCost,
-  usualError,
 } from "../metrics.ts";
 import { counted } from "../numbers.ts";
 import { paretoFront } from "../pareto.ts";
@@ -102,9 +103,8 @@ export function costView(app: App): View {
   const { cells } = app.run();
   const errors = errorMetrics(app.data.figures, cells);
   const costs = costMetrics(app.data.figures, cells);
-  const options = (metrics: Metric[]) => metrics.map((metric) => ({ value: metric.id, label: metricTitle(metric) }));
-  const error = choose("Error", options(errors), "", (value) => app.update({ error: value }));
-  const cost = choose("Cost", options(costs), "", (value) => app.update({ cost: value }));
+  const error = choose("Error", groupedChoices(errors, metricTitle), "", (value) => app.update({ error: value }));
+  const cost = choose("Cost", groupedChoices(costs, metricTitle), "", (value) => app.update({ cost: value }));
   const facets = [
     { value: "none", label: "one for all" },
     { value: "view", label: "one per view" },
@@ -174,7 +174,7 @@ export function costView(app: App): View {
 function disturbedWarning(app: App, cost: Metric): HTMLElement | null {
   const { cells } = app.run();
   const many = app.measured().filter((cell) => manyOutliers(cells, cell) !== null).length;
-  if (many === 0 || !cost.id.startsWith("time.")) return null;
+  if (many === 0 || !isTime(cost)) return null;
   const all = counted(app.measured().length, "cell");
   return warning(`More than 10 % of the samples are outliers in ${many} of ${all}: something disturbed their times.`);
 }

@@ -2,7 +2,8 @@
 
 import type { Question } from "../advice.ts";
 import type { App } from "../app.ts";
-import { fill, h } from "../dom.ts";
+import { fill, h, optionElements } from "../dom.ts";
+import { groupedChoices } from "../figures.ts";
 import { type Metric, metricTitle } from "../metrics.ts";
 
 function numberIn(input: HTMLInputElement): number | null {
@@ -100,9 +101,12 @@ export class LimitFields {
         },
       },
       h("option", { attrs: { value: "" } }, "+ another limit"),
-      ...this.metrics
-        .filter(({ id }) => !there.has(id))
-        .map((metric) => h("option", { attrs: { value: metric.id } }, metricTitle(metric))),
+      ...optionElements(
+        groupedChoices(
+          this.metrics.filter(({ id }) => !there.has(id)),
+          metricTitle,
+        ),
+      ),
     );
     return select;
   }

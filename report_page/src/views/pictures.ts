@@ -3,6 +3,7 @@
 
 import type { App, View } from "../app.ts";
 import type { MapLegend } from "../data.ts";
+import { usualMap } from "../defaults.ts";
 import { warning } from "../describe.ts";
 import { choose, fill, h, segments } from "../dom.ts";
 import { draw, type Picture, Pictures } from "../pictures.ts";
@@ -41,7 +42,7 @@ export function picturesView(app: App): View {
   const names = mapNames(app);
   const map = choose(
     "Map",
-    names.map((name) => ({ value: name, label: mapTitle(name) })),
+    names.map((name) => ({ value: name, label: mapTitle(app, name) })),
     "",
     (value) => app.update({ map: value }),
   );
@@ -57,7 +58,7 @@ export function picturesView(app: App): View {
   let pixel: Pixel | null = null;
   let drawn = "";
 
-  const refreshLens = () => fill(lens, ...lensElements(shown, pixel, mapTitle(mapName(app)), legendOf(app)));
+  const refreshLens = () => fill(lens, ...lensElements(shown, pixel, mapTitle(app, mapName(app)), legendOf(app)));
   const point = (next: Pixel | null) => {
     pixel = next;
     refreshLens();
@@ -71,15 +72,15 @@ export function picturesView(app: App): View {
 
   const redraw = () => {
     stage.dataset["mode"] = app.state.mode;
-    if (app.state.mode === "side") fill(stage, ...sideBySide(shown, mapName(app), point));
+    if (app.state.mode === "side") fill(stage, ...sideBySide(shown, mapTitle(app, mapName(app)), point));
     else if (app.state.mode === "slider") {
       fill(
         stage,
         slider(shown, divider, (to) => (divider = to), point),
-        mapPane(shown, mapName(app), point),
+        mapPane(shown, mapTitle(app, mapName(app)), point),
       );
     } else {
-      fill(stage, flipPane(shown, point, flip), mapPane(shown, mapName(app), point));
+      fill(stage, flipPane(shown, point, flip), mapPane(shown, mapTitle(app, mapName(app)), point));
       showFlip(stage, showsTruth);
     }
     point(pixel);
@@ -152,8 +153,7 @@ function middle(picture: Picture | null): Pixel | null {
 
 /** The error that most people look at goes first. */
 function mapNames(app: App): string[] {
-  const main = "uv_error";
-  return Object.keys(app.run().pictures.maps).sort((a, b) => Number(b === main) - Number(a === main));
+  return Object.keys(app.run().pictures.maps).sort((a, b) => Number(b === usualMap) - Number(a === usualMap));
 }
 
 function mapName(app: App): string {
@@ -166,12 +166,10 @@ function legendOf(app: App): MapLegend | null {
   return Object.hasOwn(legends, mapName(app)) ? (legends[mapName(app)] ?? null) : null;
 }
 
-function mapTitle(name: string): string {
-  const words = name
-    .replaceAll("_", " ")
-    .replace(/^uv\b/, "UV")
-    .replace(/^flip$/, "FLIP");
-  return words === "" ? "Error map" : words[0]!.toUpperCase() + words.slice(1);
+function mapTitle(app: App, name: string): string {
+  const { legends } = app.run().pictures;
+  if (Object.hasOwn(legends, name)) return legends[name]!.title;
+  return name === "" ? "Error map" : name[0]!.toUpperCase() + name.slice(1).replaceAll("_", " ");
 }
 
 /** Positions in the page's pictures, -1 for none. */
@@ -243,8 +241,8 @@ function paneOf(name: string, title: string, picture: Picture | null, point: (pi
   return h("figure", { class: "pane" }, h("figcaption", {}, title), frame);
 }
 
-function mapPane(shown: Shown, map: string, point: (pixel: Pixel) => void): HTMLElement {
-  const pane = paneOf("map", mapTitle(map), shown.map, point);
+function mapPane(shown: Shown, title: string, point: (pixel: Pixel) => void): HTMLElement {
+  const pane = paneOf("map", title, shown.map, point);
   if (shown.legend !== null) pane.append(legendElement(shown.legend));
   return pane;
 }

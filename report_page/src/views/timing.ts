@@ -3,9 +3,12 @@
 import type { App, View } from "../app.ts";
 import { axisStyle, Chart, currentInk, intervalLine, type Option, ticked, tooltipStyle } from "../chart.ts";
 import { numberOf, type RunData, textOf } from "../data.ts";
+import { drawInterval, drawPass, drawTime, spentGroups, stopWord } from "../defaults.ts";
 import { outlierWarning } from "../describe.ts";
 import { fill, h } from "../dom.ts";
-import { bytesText, counted, extent, significant } from "../numbers.ts";
+import { groupOf, passFigure, passPath } from "../figures.ts";
+import { declared, figureTitle, metricText, shownFigure, shownUnit } from "../metrics.ts";
+import { counted, extent, significant } from "../numbers.ts";
 import { linearTicks, tickText } from "../scales.ts";
 import { shownCell } from "./shown_cell.ts";
 
@@ -37,7 +40,9 @@ function passesOf(run: RunData, cell: number): Pass[] {
     passes.push({ name: samples.pass, groups });
   }
   // The draw is what cells are compared by.
-  return passes.sort((a, b) => Number(b.name === "draw") - Number(a.name === "draw") || a.name.localeCompare(b.name));
+  return passes.sort(
+    (a, b) => Number(b.name === drawPass) - Number(a.name === drawPass) || a.name.localeCompare(b.name),
+  );
 }
 
 export function timingView(app: App): View {
@@ -47,7 +52,7 @@ export function timingView(app: App): View {
     title: "Timing",
     element: h("section", { class: "view-timing" }, content),
     refresh() {
-      const { cell, why } = shownCell(app, (each) => numberOf(app.run().cells, "time.draw.median_ms", each) !== null);
+      const { cell, why } = shownCell(app, (each) => numberOf(app.run().cells, drawTime, each) !== null);
       if (cell < 0) {
         fill(content, why);
         return;
@@ -55,41 +60,41 @@ export function timingView(app: App): View {
       fill(
         content,
         why,
-        passTable(app.run(), cell),
+        passTable(app, cell),
         outlierWarning(app.run().cells, cell),
         ...roundsElements(app, cell),
-        h("div", { class: "columns" }, preparationTable(app.run(), cell), ...statisticsTables(app.run(), cell)),
+        h("div", { class: "columns" }, spentTable(app, cell), ...statisticsTables(app.run(), cell)),
       );
     },
   };
 }
 
-const figures: [string, string][] = [
-  ["median_ms", "Median, ms"],
-  ["mad_ms", "MAD, ms"],
-  ["ci95_ms.low", "95 % from, ms"],
-  ["ci95_ms.high", "to, ms"],
-  ["lower_quartile_ms", "Lower quartile, ms"],
-  ["n", "Samples"],
-  ["rounds", "Rounds"],
-  ["repeats", "Repeats"],
-  ["outliers", "Outliers"],
-];
-
-function figureText(key: string, value: number | null): string {
-  return key.includes("ms") ? significant(value, 4) : (value ?? "–").toLocaleString("en");
+/** "Time, MAD (ms)": of any pass, as the draw's figures are called less the draw. */
+function passTitle(app: App, figure: string): string {
+  const { label, unit } = declared(app.data.figures, passPath(drawPass, figure));
+  const ofAny = label.replace(/^draw /i, "").replace(/ of the draw$/i, "");
+  return figureTitle({ label: ofAny.slice(0, 1).toUpperCase() + ofAny.slice(1), unit });
 }
 
-function passTable(run: RunData, cell: number): HTMLElement {
-  const passes = new Set(
-    Object.keys(run.cells.numbers)
-      .map((path) => /^time\.(.+)\.median_ms$/.exec(path)?.[1])
-      .filter(
-        (pass): pass is string => pass !== undefined && numberOf(run.cells, `time.${pass}.median_ms`, cell) !== null,
-      ),
-  );
+/** A digit more than elsewhere: passes of one cell are compared. */
+function passText(unit: string, value: number | null): string {
+  return unit === "" ? (value ?? "–").toLocaleString("en") : significant(value, 4);
+}
+
+function passTable(app: App, cell: number): HTMLElement {
+  const run = app.run();
+  const passes = new Set<string>();
+  const figures = new Set<string>();
+  // In the order of the list, then what it does not declare.
+  const paths = [...app.data.figures.map(({ path }) => path), ...Object.keys(run.cells.numbers)];
+  for (const path of paths) {
+    const found = passFigure(path);
+    if (found === null || numberOf(run.cells, path, cell) === null) continue;
+    passes.add(found.pass);
+    figures.add(found.figure);
+  }
   if (passes.size === 0) return h("p", { class: "empty" }, "There are no times of this cell: it was not measured.");
-  const stop = textOf(run.cells.words["time.stop"], cell);
+  const stop = textOf(run.cells.words[stopWord], cell);
   const table = h(
     "table",
     { class: "figures" },
@@ -97,7 +102,12 @@ function passTable(run: RunData, cell: number): HTMLElement {
     h(
       "thead",
       {},
-      h("tr", {}, h("th", {}, "Pass"), ...figures.map(([, title]) => h("th", { class: "number" }, title))),
+      h(
+        "tr",
+        {},
+        h("th", {}, "Pass"),
+        ...[...figures].map((figure) => h("th", { class: "number" }, passTitle(app, figure))),
+      ),
     ),
     h(
       "tbody",
@@ -107,8 +117,15 @@ function passTable(run: RunData, cell: number): HTMLElement {
           "tr",
           {},
           h("td", {}, pass),
-          ...figures.map(([key]) =>
-            h("td", { class: "number" }, figureText(key, numberOf(run.cells, `time.${pass}.${key}`, cell))),
+          ...[...figures].map((figure) =>
+            h(
+              "td",
+              { class: "number" },
+              passText(
+                declared(app.data.figures, passPath(drawPass, figure)).unit,
+                numberOf(run.cells, passPath(pass, figure), cell),
+              ),
+            ),
           ),
         ),
       ),
@@ -238,8 +255,8 @@ function beforeOption(passes: Pass[]): Option {
 
 function roundsOption(app: App, pass: Pass, cell: number): Option {
   const ink = currentInk();
-  const of = (key: string) => numberOf(app.run().cells, `time.${pass.name}.${key}`, cell);
-  const levels = ["median_ms", "ci95_ms.low", "ci95_ms.high"].flatMap((key) => of(key) ?? []);
+  const of = (path: string) => numberOf(app.run().cells, passPath(pass.name, passFigure(path)!.figure), cell);
+  const levels = [drawTime, ...drawInterval].flatMap((path) => of(path) ?? []);
   const rounds = pass.groups.map((group) => String(group.firstRound));
   const option = boxOption(
     rounds,
@@ -266,11 +283,7 @@ function roundsOption(app: App, pass: Pass, cell: number): Option {
           },
         ];
   const bound = { type: "dashed", opacity: 0.7 };
-  option.series.push(
-    ...level(of("median_ms"), {}),
-    ...level(of("ci95_ms.low"), bound),
-    ...level(of("ci95_ms.high"), bound),
-  );
+  option.series.push(...level(of(drawTime), {}), ...drawInterval.flatMap((path) => level(of(path), bound)));
   return option;
 }
 
@@ -300,22 +313,15 @@ function rowsTable(caption: string, rows: [string, string][]): HTMLElement | nul
   );
 }
 
-function preparationTable(run: RunData, cell: number): HTMLElement | null {
-  const of = (path: string) => numberOf(run.cells, path, cell);
-  if (of("prepare.ms") === null && of("work.covered_pixels") === null) return null;
-  const work: [string, string][] = [
-    ["Taps", "work.taps_mean"],
-    ["Taps, 95th percentile", "work.taps_p95"],
-    ["Texels read", "work.texels_mean"],
-    ["Steps", "work.steps_mean"],
-    ["Steps, 95th percentile", "work.steps_p95"],
-  ];
-  return rowsTable("Preparation and work per pixel", [
-    ["Preparation", of("prepare.ms") === null ? "–" : `${significant(of("prepare.ms"))} ms`],
-    ["Memory of prepared maps", bytesText(of("prepare.bytes"))],
-    ...work.map(([name, path]): [string, string] => [name, significant(of(path))]),
-    ["Covered pixels", (of("work.covered_pixels") ?? 0).toLocaleString("en")],
-  ]);
+function spentTable(app: App, cell: number): HTMLElement | null {
+  const { cells } = app.run();
+  const rows = app.data.figures
+    .filter(({ path }) => spentGroups.includes(groupOf(path)))
+    .flatMap((figure): [string, string][] => {
+      const value = shownFigure(cells, figure)(cell);
+      return value === null ? [] : [[figure.label, metricText({ unit: shownUnit(figure.unit) }, value)]];
+    });
+  return rowsTable("Preparation and work", rows);
 }
 
 function statisticsTables(run: RunData, cell: number): (HTMLElement | null)[] {
