@@ -1,13 +1,14 @@
 #!/usr/bin/python3
-"""Figures for papers from exported runs (reliefbench export RUN --format csv, or reliefbench run ... --format csv).
+"""Figures for papers from runs' folders and exported runs (reliefbench export RUN --format csv).
 
-    plot.py pareto cells.csv -o front.pdf --error uv --cost ms
+    plot.py pareto results/quick -o front.pdf --error uv --cost ms
     plot.py steps  cells.csv -o steps.svg --error uv --filter view_angle=60
     plot.py angle  cells.csv -o angle.png --cost ns --filter heightmap=rock
 
 pareto: error against cost; the line is the Pareto front: nothing is both cheaper and better. steps: error against steps
 per pixel. angle: cost against view angle. One panel for each view that the filters leave. Bars are the 95 % intervals of
-times. The format is the file's extension: pdf, svg or png. Colours and markers are those of the report's page; labels, units and which way a figure is better come from figures.json beside this script.
+times. The format is the file's extension: pdf, svg or png. Colours and markers are those of the report's page; labels,
+units and which way a figure is better come from the run's own run.json, else from figures.json beside this script.
 Needs Debian's python3-matplotlib and python3-pandas.
 """
 
@@ -36,8 +37,9 @@ except ModuleNotFoundError as missing:
         f"(where they are missing: {install})"))
 
 from plotted_axes import number
-from plotted_cells import (COSTS, ERRORS, HIT_LIMIT, VIEW_ANGLE, PlotError, counted, interval_of, positive, quantity,
-                           read_cells, with_direction, with_numbers)
+from plotted_cells import (HIT_LIMIT, VIEW_ANGLE, counted, interval_of, positive, quantity, read_cells, with_direction,
+                           with_numbers)
+from plotted_figures import SHORT_NAMES, STEPS, USUAL_COST, USUAL_ERROR, PlotError, declared_figures
 from plotted_filters import apply_filters
 from plotted_lines import panels_of, with_lines
 from plotted_marks import LINES, style_of
@@ -189,24 +191,24 @@ def is_logarithmic(chosen):
     return chosen.better != "higher"
 
 
-def plot_pareto(cells, options, notes):
-    cost = with_direction(quantity(cells, options.cost, COSTS, "--cost", notes), "--cost")
-    error = with_direction(quantity(cells, options.error, ERRORS, "--error", notes), "--error")
+def plot_pareto(cells, figures, options, notes):
+    cost = with_direction(quantity(cells, options.cost, figures, "--cost", notes), "--cost")
+    error = with_direction(quantity(cells, options.error, figures, "--error", notes), "--error")
     cells = with_numbers(cells, [cost.column, error.column], notes)
     return make_figure(cells, cost, error, options, is_logarithmic(cost), is_logarithmic(error), front=True)
 
 
-def plot_steps(cells, options, notes):
-    steps = quantity(cells, "steps", COSTS, "steps", notes)
-    error = quantity(cells, options.error, ERRORS, "--error", notes)
+def plot_steps(cells, figures, options, notes):
+    steps = quantity(cells, STEPS, figures, "steps", notes)
+    error = quantity(cells, options.error, figures, "--error", notes)
     cells = positive(with_numbers(cells, [steps.column, error.column], notes), steps.column, notes)
     log = is_logarithmic(error) and (cells[error.column] >= 0).all()
     return make_figure(cells, steps, error, options, True, log)
 
 
-def plot_angle(cells, options, notes):
-    cost = quantity(cells, options.cost, COSTS, "--cost", notes)
-    angle = quantity(cells, VIEW_ANGLE, {}, "angle", notes)
+def plot_angle(cells, figures, options, notes):
+    cost = quantity(cells, options.cost, figures, "--cost", notes)
+    angle = quantity(cells, VIEW_ANGLE, figures, "angle", notes)
     cells = with_numbers(cells, [cost.column], notes)
     if cells[VIEW_ANGLE].nunique() < 2:
         raise PlotError("angle: all cells have one view angle; export a run whose axis view_angle has several")
@@ -221,10 +223,11 @@ FIGURES = {"pareto": plot_pareto, "steps": plot_steps, "angle": plot_angle}
 def parse_arguments():
     parser = argparse.ArgumentParser(prog="plot.py", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("figure", choices=FIGURES)
-    parser.add_argument("files", nargs="+", metavar="CSV", help="exported runs; their cells are taken together")
+    parser.add_argument("files", nargs="+", metavar="RUN", help="runs' folders, and exported runs (CSV); their cells are taken together")
     parser.add_argument("-o", "--output", required=True, metavar="FILE", help="a .pdf, .svg or .png")
-    parser.add_argument("--error", default="uv", metavar="NAME", help=", ".join(ERRORS) + ", or a column (default: uv)")
-    parser.add_argument("--cost", default="ms", metavar="NAME", help=", ".join(COSTS) + ", or a column (default: ms)")
+    names = ", ".join(SHORT_NAMES) + "; or the path of any figure"
+    parser.add_argument("--error", default=USUAL_ERROR, metavar="NAME", help=f"{names} (default: {USUAL_ERROR})")
+    parser.add_argument("--cost", default=USUAL_COST, metavar="NAME", help=f"as --error (default: {USUAL_COST})")
     parser.add_argument("--filter", action="append", default=[], metavar="EXPR",
                         help="keep cells with technique=pom,qdm, view_angle>=60, view_angle=[0:80:20], max_steps!=8 or any axis or "
                              "parameter, as reliefbench run --filter does (may be repeated)")
@@ -244,7 +247,7 @@ def main():
         if suffix not in FORMATS:
             raise PlotError(f"--output {options.output}: expected a file that ends in {', '.join(FORMATS)}")
         cells = apply_filters(read_cells(options.files), options.filter)
-        figure = FIGURES[options.figure](cells, options, notes)
+        figure = FIGURES[options.figure](cells, declared_figures(options.files), options, notes)
         metadata = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}.get(suffix)
         try:
             figure.savefig(options.output, dpi=options.dpi, metadata=metadata)

@@ -1,101 +1,86 @@
-"""What plot.py draws: cells of exported runs, and the figures that figures.json declares."""
+"""What plot.py draws: cells of runs' folders and of exported runs."""
 
-import dataclasses
 import difflib
 import json
-import re
-import shlex
 from pathlib import Path
 
 import numpy
 import pandas
 
+from plotted_figures import (INFINITE_RATIO, OUTSIDE, SHORT_NAMES, WRONG_HITS, PlotError, interval_columns,
+                             is_of_whole_pictures, quantity_of)
 from plotted_marks import mark_numbers
 
-# Written by `reliefbench list figures --format json`.
-FIGURES_FILE = Path(__file__).resolve().parent / "figures.json"
-
-# Short names on the command line and what they stand for; of several columns the first that has numbers. Any other numeric
-# column can be named in full.
-ERRORS = {
-    "uv": ["error.uv_texels.p99"],
-    "uv_mean": ["error.uv_texels.mean"],
-    "depth": ["error.depth.p99"],
-    "normal": ["error.normal_deg.p99"],
-    "missed": ["error.missed"],
-    "flip": ["image.footprint.flip", "image.flip"],
-    "ssim": ["image.footprint.ssim", "image.ssim"],
-    "psnr": ["image.footprint.psnr", "image.psnr"],
-    "coverage": ["error.coverage_iou"],
-    "shadow": ["error.shadow.mean"],
-    "motion": ["motion.texels.mean"],
-    "motion_flip": ["motion.flip.mean"],
-}
-COSTS = {
-    "ms": ["time.draw.median_ms"],
-    "ns": ["time.ns_per_pixel"],
-    "taps": ["work.taps_mean"],
-    "shadow_taps": ["work.shadow_taps_mean"],
-    "steps": ["work.steps_mean"],
-    "prepare": ["prepare.ms"],
-    "memory": ["prepare.bytes"],
-}
 VIEW_ANGLE = "axes.view_angle"
-# Relief beyond the quad, which whole-picture errors count and no per-pixel technique can draw.
-OUTSIDE = "error.outside_quad.pixels"
+# What runs and exports of version 0.1.0 call parameters.
+OLD_PARAMETERS = "params."
+PARAMETERS = "parameters."
 
 # Missed and false hits above this fraction of the footprint: the errors of such a cell do not count.
 HIT_LIMIT = 0.005
 
 
-class PlotError(Exception):
-    """What is wrong with the input, and what to do."""
-
-
-@dataclasses.dataclass
-class Quantity:
-    """A column and what figures.json says of it; `better` is "neither" for columns that it does not list."""
-    column: str
-    label: str
-    better: str
-
-    def axis(self, separator):
-        """What stands at an axis."""
-        return self.label if self.better == "neither" else f"{self.label}{separator}{self.better} is better"
-
-
-def declared_figures():
-    try:
-        figures = json.loads(FIGURES_FILE.read_text())
-    except OSError as error:
-        raise PlotError(f"{FIGURES_FILE}: {error.strerror}; make it with reliefbench list figures --format json") from error
-    return {figure["path"]: figure for figure in figures}
-
-
 def with_best_ratios(cells):
-    """A picture without an error has no number for the ratio of itself to its noise: it is the best."""
-    for column in [name for name in cells.columns if name.endswith(".psnr")]:
-        rmse = cells.get(column.replace(".psnr", ".rmse"))
+    ratio, noise = INFINITE_RATIO
+    for column in [name for name in cells.columns if name.endswith(f".{ratio}")]:
+        rmse = cells.get(column.removesuffix(ratio) + noise)
         if rmse is not None:
             cells = cells.assign(**{column: cells[column].mask(cells[column].isna() & (rmse == 0), numpy.inf)})
     return cells
 
 
+def flattened(value, path, columns):
+    """As `reliefbench export --format csv` names columns: arrays of two are intervals."""
+    if isinstance(value, dict):
+        for key, member in value.items():
+            flattened(member, f"{path}.{key}" if path else key, columns)
+    elif isinstance(value, list):
+        for at, member in enumerate(value):
+            flattened(member, f"{path}.{('low', 'high')[at] if len(value) == 2 else at}", columns)
+    else:
+        columns[path] = value
+    return columns
+
+
+def read_run(folder):
+    """The finished cells of a run's folder; a last line that is cut short is none."""
+    file = folder / "cells.jsonl"
+    try:
+        lines = file.read_text().splitlines(keepends=True)
+    except OSError as error:
+        raise PlotError(f"{folder} is no run's folder ({file.name}: {error.strerror}); name one that reliefbench run made, or a "
+                        "file of reliefbench export --format csv") from error
+    cells = []
+    for number, line in enumerate(lines, 1):
+        if line.endswith("\n"):
+            try:
+                cells.append(flattened(json.loads(line), "", {}))
+            except ValueError as error:
+                raise PlotError(f"{file}:{number}: this is no JSON ({error})") from None
+    return pandas.DataFrame(cells)
+
+
+def read_export(file):
+    try:
+        return pandas.read_csv(file, float_precision="round_trip")
+    except OSError as error:
+        raise PlotError(f"{file}: {error.strerror}") from error
+    except (pandas.errors.ParserError, pandas.errors.EmptyDataError, UnicodeDecodeError) as error:
+        raise PlotError(f"{file}: this is no CSV file ({error}); name a run's folder, or make a CSV file of it with reliefbench "
+                        "export --format csv") from error
+
+
 def read_cells(files):
+    """Of runs' folders and exported runs."""
     frames = []
     for file in files:
-        try:
-            frames.append(pandas.read_csv(file))
-        except IsADirectoryError:
-            raise PlotError(f"{file} is a folder; export the run first: reliefbench export {shlex.quote(str(file))} --format csv "
-                            "-o cells.csv, and name cells.csv instead") from None
-        except OSError as error:
-            raise PlotError(f"{file}: {error.strerror}") from error
-        except (pandas.errors.ParserError, pandas.errors.EmptyDataError, UnicodeDecodeError) as error:
-            raise PlotError(f"{file}: this is no CSV file ({error}); make one with reliefbench export --format csv") from error
+        frame = read_run(Path(file)) if Path(file).is_dir() else read_export(file)
         for column in ("cell", "technique", "status"):
-            if column not in frames[-1].columns:
-                raise PlotError(f"{file}: there is no column '{column}'; make the file with reliefbench export --format csv")
+            if column not in frame.columns:
+                raise PlotError(f"{file}: there is no column '{column}'; name a run's folder, or make the file with reliefbench "
+                                "export --format csv")
+        frames.append(frame.rename(columns=lambda name: PARAMETERS + name.removeprefix(OLD_PARAMETERS)
+                                   if name.startswith(OLD_PARAMETERS) else name))
     cells = pandas.concat(frames, ignore_index=True)
     measured = cells[cells["status"] == "ok"]
     if measured.empty:
@@ -108,49 +93,44 @@ def has_numbers(cells, column):
     return column in cells.columns and pandas.api.types.is_numeric_dtype(cells[column]) and cells[column].notna().any()
 
 
-def quantity(cells, name, short_names, option, notes):
-    """What to draw, checked. A short name for several columns is the first with numbers."""
-    columns = short_names.get(name, [name])
+def quantity(cells, name, figures, option, notes):
+    """What to draw, checked: a short name, the path of a figure, or another numeric column. Of several figures that a short
+    name has it is the first with numbers."""
+    columns = SHORT_NAMES.get(name, [name])
     column = next((each for each in columns if has_numbers(cells, each)), columns[-1])
-    if column not in cells.columns:
-        near = difflib.get_close_matches(name, [*short_names, *cells.columns], 1)
+    if column not in cells.columns and column not in figures:
+        near = difflib.get_close_matches(name, [*SHORT_NAMES, *figures, *cells.columns], 1)
         hint = f" (did you mean '{near[0]}'?)" if near else ""
-        raise PlotError(f"{option} {name}: there is no column '{column}'{hint}; short names: " + ", ".join(short_names))
+        raise PlotError(f"{option} {name}: there is no figure and no column '{column}'{hint}; short names: " + ", ".join(SHORT_NAMES))
     if not has_numbers(cells, column):
-        raise PlotError(f"{option} {name}: the column '{column}' has no numbers" +
-                        ('; the configuration has to ask for it with "motion"' if column.startswith("motion.") else ""))
-    whole_picture = column.startswith("image.") and not column.startswith("image.footprint.")
-    if whole_picture and OUTSIDE in cells.columns and (cells[OUTSIDE] > 0).any():
+        needs = figures.get(column, {}).get("needs", [])
+        raise PlotError(f"{option} {name}: the cells have no numbers of '{column}'" +
+                        (f"; it needs {', '.join(needs)}, which the configuration has to ask for" if needs else ""))
+    if is_of_whole_pictures(column) and OUTSIDE in cells.columns and (cells[OUTSIDE] > 0).any():
         instead = f"; {columns[0]} would not, which these runs do not have" if len(columns) > 1 else ""
         notes.append(f"{column} counts relief beyond the quad, which no per-pixel technique can draw{instead}")
-    figure = declared_figures().get(column)
-    if figure is None:
-        return Quantity(column, column, "neither")
-    unit = f" ({figure['unit']})" if figure["unit"] else ""
-    return Quantity(column, figure["label"] + unit, figure["better"])
+    return quantity_of(column, figures)
 
 
 def with_direction(chosen, option):
     if chosen.better == "neither":
-        raise PlotError(f"{option} {chosen.column}: neither low nor high values of it are better (figures.json), so that "
-                        "there is no front; choose another figure")
+        raise PlotError(f"{option} {chosen.column}: neither low nor high values of it are better, so that there is no front; "
+                        "choose another figure")
     return chosen
 
 
 def interval_of(cells, column):
     """Lows and highs of the 95 % interval of a pass' median time, or of the draw's over pixels; None for other columns."""
-    pass_name = re.fullmatch(r"time\.(.+)\.median_ms", column)
-    of = pass_name.group(1) if pass_name else "draw" if column == "time.ns_per_pixel" else None
-    ends = [f"time.{of}.ci95_ms.{end}" for end in ("low", "high")]
-    if of is None or any(end not in cells.columns for end in ends):
+    found = interval_columns(column)
+    if found is None or any(end not in cells.columns for end in found[1]):
         return None
-    scale = cells[column] / cells[f"time.{of}.median_ms"]
-    return [cells[end] * scale for end in ends]
+    scale = cells[column] / cells[found[0]]
+    return [cells[end] * scale for end in found[1]]
 
 
 def counted(cells):
     """Of which the errors count: hard pixels are not discarded."""
-    hits = cells.get("error.missed", 0) + cells.get("error.false_hits", 0)
+    hits = sum(cells.get(column, 0) for column in WRONG_HITS)
     return ~(hits > HIT_LIMIT) if hasattr(hits, "gt") else pandas.Series(True, index=cells.index)
 
 

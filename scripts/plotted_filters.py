@@ -7,7 +7,8 @@ import re
 
 import pandas
 
-from plotted_cells import PlotError
+from plotted_cells import PARAMETERS
+from plotted_figures import PlotError
 
 # Names and paths, which are no numbers though they may look like one.
 WORDS = ("technique", "heightmap", "albedo")
@@ -96,14 +97,14 @@ def values_in(name, text, argument):
 
 
 def find_column(cells, name):
-    for column in (name, f"axes.{name}", f"params.{name}"):
+    for column in (name, f"axes.{name}", PARAMETERS + name):
         if column in cells.columns:
             return column
     raise PlotError(f"--filter: there is no axis or parameter '{name}'; there are " + ", ".join(setting_names(cells)))
 
 
 def setting_names(cells):
-    return ["technique"] + [name.split(".", 1)[1] for name in cells.columns if name.startswith(("axes.", "params."))]
+    return ["technique"] + [name.split(".", 1)[1] for name in cells.columns if name.startswith(("axes.", PARAMETERS))]
 
 
 def equals(column, value):

@@ -3,7 +3,8 @@ data.ts) and of cells' ids."""
 
 import pandas
 
-from plotted_cells import VIEW_ANGLE, PlotError
+from plotted_cells import PARAMETERS, VIEW_ANGLE
+from plotted_figures import PlotError
 
 MOST_PANELS = 6
 # Axes whose values speak for themselves.
@@ -61,7 +62,7 @@ def only_view(cells, besides):
 def running_parameters(cells):
     """Of one technique's cells, the numeric parameters that a line runs along: the one with most values and those that follow
     from it."""
-    numeric = [name for name in varying(cells, "params.") if pandas.api.types.is_numeric_dtype(cells[name].dropna()) and
+    numeric = [name for name in varying(cells, PARAMETERS) if pandas.api.types.is_numeric_dtype(cells[name].dropna()) and
                not pandas.api.types.is_bool_dtype(cells[name].dropna())]
     if not numeric:
         return set()

@@ -39,6 +39,7 @@ class Plot(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         cls.path = Path(cls.folder.name)
         (cls.path / "plot.json").write_text(json.dumps(CONFIGURATION))
+        (cls.path / "images").mkdir()
         with open(cls.path / "cells.csv", "w") as csv:
             subprocess.run([RELIEFBENCH, "run", "plot.json", "-o", "run", "--format", "csv"], cwd=cls.path, stdout=csv,
                            stderr=subprocess.PIPE, check=True)
@@ -49,7 +50,7 @@ class Plot(unittest.TestCase):
 
     @staticmethod
     def declared():
-        return sys.modules["plotted_cells"].declared_figures()
+        return sys.modules["plotted_figures"].declared_figures([])
 
     def plot(self, *arguments):
         """Exit code and standard error. In this process: importing matplotlib takes a second."""
@@ -96,7 +97,7 @@ class Plot(unittest.TestCase):
         """Names of the cells on the front."""
         script = self.script
         figures = script.pandas.DataFrame(cells, columns=["cell", "time.draw.median_ms", error])
-        quantities = [script.quantity(figures, name, {}, "", []) for name in (cost, error)]
+        quantities = [script.quantity(figures, name, self.declared(), "", []) for name in (cost, error)]
         return list(script.front_of(figures, *quantities)["cell"])
 
     def test_a_front_goes_through_the_best_points_whichever_way_a_figure_is_better(self):
@@ -109,7 +110,7 @@ class Plot(unittest.TestCase):
         self.refused(["--error error.depth.mean", "neither low nor high values", "no front"], "pareto", "cells.csv", "--error",
                      "error.depth.mean")
         self.refused(["--cost work.covered_pixels", "no front"], "pareto", "cells.csv", "--cost", "work.covered_pixels")
-        self.refused(["no front"], "pareto", "cells.csv", "--cost", "params.max_steps")
+        self.refused(["no front"], "pareto", "cells.csv", "--cost", "parameters.max_steps")
         self.shows(self.svg("angle", "cells.csv", "--cost", "error.depth.mean"), "Depth error, signed mean (patch sides)")
 
     def test_a_picture_without_an_error_has_the_best_psnr_and_zeros_are_on_the_front(self):
@@ -118,8 +119,8 @@ class Plot(unittest.TestCase):
         (self.path / "perfect.csv").write_text("\n".join([header, *rows]) + "\n")
         cells = self.script.read_cells([str(self.path / "perfect.csv")])
         for name in ("image.psnr", "uv"):
-            error = self.script.quantity(cells, name, self.script.ERRORS, "", [])
-            cost = self.script.quantity(cells, "ms", self.script.COSTS, "", [])
+            error = self.script.quantity(cells, name, self.declared(), "", [])
+            cost = self.script.quantity(cells, "ms", self.declared(), "", [])
             with_both = self.script.with_numbers(cells, [error.column], [])
             self.assertEqual(list(self.script.front_of(with_both, cost, error)["technique"]), ["a", "b"], name)
         code, notes = self.plot("pareto", "perfect.csv", "-o", "figure.svg", "--error", "psnr")
@@ -135,16 +136,14 @@ class Plot(unittest.TestCase):
         self.assertIn("image.flip counts relief beyond the quad", notes)
         self.assertIn("image.footprint.flip would not, which these runs do not have", notes)
         (self.path / "new.csv").write_text(f"{header},image.footprint.flip\na | v,a,ok,1,0.5,9,0.1\nb | v,b,ok,2,0.5,9,0.05\n")
-        flip = {"path": "image.footprint.flip", "label": "FLIP over the footprint", "unit": "", "better": "lower"}
-        (self.path / "figures.json").write_text(json.dumps([flip, *self.declared().values()]))
-        with mock.patch.object(sys.modules["plotted_cells"], "FIGURES_FILE", self.path / "figures.json"):
-            self.svg("pareto", "new.csv", "--error", "flip")
+        self.shows(self.svg("pareto", "new.csv", "--error", "flip"), "lower is better")
 
     def test_every_short_name_is_a_declared_figure(self):
         declared = self.declared()
-        for columns in [*self.script.ERRORS.values(), *self.script.COSTS.values()]:
-            self.assertIn(columns[-1], declared)
-            self.assertNotEqual(declared[columns[-1]]["better"], "neither")
+        for name, columns in self.script.SHORT_NAMES.items():
+            for column in columns:
+                self.assertIn(column, declared, name)
+                self.assertNotEqual(declared[column]["better"], "neither", name)
 
     def test_error_against_steps(self):
         text = self.svg("steps", "cells.csv", "--filter", "technique=steep,pom", "--filter", "view_angle>=60")
@@ -212,7 +211,7 @@ class Plot(unittest.TestCase):
         self.assertFalse(any("°" in words for words in over_angles), over_angles)
 
     def test_filters_have_the_grammar_of_reliefbench(self):
-        header = "cell,technique,status,time.draw.median_ms,error.uv_texels.p99,axes.heightmap,axes.view_angle,params.exact"
+        header = "cell,technique,status,time.draw.median_ms,error.uv_texels.p99,axes.heightmap,axes.view_angle,parameters.exact"
         rows = ['a,a,ok,1,1,"a,b.png",30,true', 'b,b,ok,1,1,"[x,y].png",45,false', "c,c,ok,1,1,007,60,", "d,d,ok,1,1,7,0.3,"]
         (self.path / "filtered.csv").write_text("\n".join([header, *rows]) + "\n")
         cells = self.script.read_cells([str(self.path / "filtered.csv")])
@@ -231,7 +230,7 @@ class Plot(unittest.TestCase):
                             ("[start:stop:step]", "view_angle=[0:9]"), ("steps away", "view_angle=[9:0:1]"),
                             ("expected one number", "view_angle<30,45"), ("expected one number", "view_angle<steep"),
                             ("expected name=value", "=3")):
-            with self.assertRaises(sys.modules["plotted_cells"].PlotError) as raised:
+            with self.assertRaises(sys.modules["plotted_figures"].PlotError) as raised:
                 kept(text)
             self.assertIn(words, str(raised.exception))
 
@@ -244,7 +243,7 @@ class Plot(unittest.TestCase):
             cells = self.script.read_cells([str(self.path / "cells.csv")])
             try:
                 kept = set(self.script.apply_filters(cells, [text])["cell"])
-            except self.script.PlotError:
+            except sys.modules["plotted_figures"].PlotError:
                 kept = None
             self.assertEqual((text, kept is not None), (text, listed.returncode == 0), listed.stderr)
             if kept is not None:
@@ -296,7 +295,7 @@ class Plot(unittest.TestCase):
 
     def test_lines_and_panels_are_named_as_in_ids_and_in_the_report(self):
         header = "cell,technique,status,time.draw.median_ms,error.uv_texels.p99,axes.heightmap,axes.height_scale," \
-                 "params.leaf,params.max_steps,params.min_steps"
+                 "parameters.leaf,parameters.max_steps,parameters.min_steps"
         view = "heightmap=a/rock.png height_scale=0.1"
         rows = [f"qdm | {view},qdm,ok,1,1,a/rock.png,0.1,exact,50,8",
                 f"qdm max_steps=16 min_steps=2 | {view},qdm,ok,2,1,a/rock.png,0.1,exact,16,2",
@@ -323,13 +322,70 @@ class Plot(unittest.TestCase):
     def test_the_same_file_comes_out_every_time(self):
         self.assertEqual(self.svg("pareto", "cells.csv"), self.svg("pareto", "cells.csv"))
 
+    def test_a_runs_folder_is_drawn_as_its_export_is(self):
+        for arguments in (["pareto"], ["steps", "--filter", "technique=steep,pom"], ["angle", "--cost", "ns"]):
+            self.assertEqual(self.svg(*arguments, "run"), self.svg(*arguments, "cells.csv"), arguments)
+        lines = (self.path / "run/cells.jsonl").read_text()
+        (self.path / "cut").mkdir()
+        (self.path / "cut/run.json").write_text((self.path / "run/run.json").read_text())
+        (self.path / "cut/cells.jsonl").write_text(lines + '{"cell": "half a li')
+        self.assertEqual(self.svg("pareto", "cut"), self.svg("pareto", "run"))
+        (self.path / "cut/cells.jsonl").write_text("no JSON\n" + lines)
+        self.refused(["cut/cells.jsonl:1", "no JSON"], "pareto", "cut")
+
+    def test_labels_units_and_directions_are_those_that_the_run_declares(self):
+        record = json.loads((self.path / "run/run.json").read_text())
+        cells = [json.loads(line) for line in (self.path / "run/cells.jsonl").read_text().splitlines()]
+        for at, cell in enumerate(cells):
+            cell["outline"] = {"p95": 1 + at}
+        record["figures"] = [{"path": "outline.p95", "label": "Outline agreement", "unit": "pixels", "better": "higher", "needs": []},
+                             {"path": "time.draw.median_ms", "label": "Time of the draw", "unit": "s", "better": "lower"},
+                             {"path": "outline.later", "label": "Later", "unit": "", "better": "lower", "needs": ["truth", "motion"]}]
+        (self.path / "later").mkdir()
+        (self.path / "later/run.json").write_text(json.dumps(record))
+        (self.path / "later/cells.jsonl").write_text("".join(json.dumps(cell) + "\n" for cell in cells))
+        text = self.svg("pareto", "later", "--error", "outline.p95")
+        self.shows(text, "Outline agreement (pixels)")
+        self.shows(text, "higher is better")
+        self.shows(text, "Time of the draw (s), lower is better")
+        self.shows(self.svg("pareto", "later", "--error", "error.depth.rms"), "Depth error, RMS (patch sides)")
+        self.refused(["did you mean 'outline.p95'?"], "pareto", "later", "--error", "outline.p59")
+        self.refused(["no numbers of 'outline.later'", "needs truth, motion"], "pareto", "later", "--error", "outline.later")
+        (self.path / "later/run.json").write_text(json.dumps({**record, "figures": [{"path": "outline.p95"}]}))
+        self.refused(["later/run.json: this is no list of figures"], "pareto", "later")
+
+    def test_runs_and_exports_of_version_0_1_0_are_drawn_beside_those_of_this_one(self):
+        old = PLOT.parents[1] / "tests/fixtures/version_0_1_0/all"
+        self.assertIn('"params"', (old / "cells.jsonl").read_text())
+        text = self.svg("pareto", str(old), "--filter", "max_steps>=16")
+        self.shows(text, "UV error, p99 (texels)")
+        text = self.svg("pareto", str(old), "run", "--filter", "technique=pom", "--filter", "heightmap=bricks")
+        self.shows(text, "pom")
+        header = "cell,technique,status,time.draw.median_ms,error.uv_texels.p99"
+        (self.path / "old_parameters.csv").write_text(f"{header},params.max_steps\npom | ,pom,ok,1,1,8\n")
+        (self.path / "new_parameters.csv").write_text(f"{header},parameters.max_steps\npom | ,pom,ok,2,1,16\n")
+        cells = self.script.read_cells([str(self.path / f"{name}_parameters.csv") for name in ("old", "new")])
+        self.assertEqual(list(cells["parameters.max_steps"]), [8, 16])
+        self.assertNotIn("params.max_steps", cells.columns)
+
+    def test_a_figure_is_named_in_one_place(self):
+        paths = self.declared()
+        scripts = sorted(PLOT.parent.glob("*.py"))
+        self.assertGreater(len(scripts), 5)
+        for script in scripts:
+            text = script.read_text()
+            named = [path for path in paths if path in text or paths[path]["label"] in text and " " in paths[path]["label"]]
+            if script.name != "plotted_figures.py":
+                self.assertEqual(named, [], script.name)
+
     def test_bad_input_ends_with_a_message(self):
         self.refused(["none.csv", "No such file"], "pareto", "none.csv")
-        self.refused(["run is a folder", "reliefbench export run --format csv -o cells.csv"], "pareto", "run")
+        self.refused(["images is no run's folder", "cells.jsonl"], "pareto", "images")
         self.refused(["no column 'cell'", "reliefbench export --format csv"], "pareto", "plot.json")
         self.refused(["'time.speed'", "short names: ms"], "pareto", "cells.csv", "--cost", "time.speed")
         self.refused(["did you mean 'error.depth.max'?"], "pareto", "cells.csv", "--error", "error.depht.max")
-        self.refused(['"motion"'], "pareto", "cells.csv", "--error", "motion")
+        self.refused(["no numbers of 'motion.texels.mean'"], "pareto", "cells.csv", "--error", "motion")
+        self.refused(["did you mean 'error.shadow.mean'?"], "pareto", "run", "--error", "error.shadow.maen")
         self.refused(["no cell is left", "30"], "pareto", "cells.csv", "--filter", "view_angle=45")
         self.refused(["no axis or parameter 'angle'", "view_angle"], "pareto", "cells.csv", "--filter", "angle=45")
         self.refused(["name=value,value"], "pareto", "cells.csv", "--filter", "view_angle")
