@@ -9,7 +9,7 @@ namespace reliefbench {
 /// "0:07", "12:30", "2:00:00".
 std::string format_duration(double seconds);
 
-/// One line, without its end: "[ 12/60]  34 %, 0:11 elapsed, 0:21 left: sampling: pom |
+/// One line, without its end: "[ 12/60]  34 %, 0:11 elapsed, 0:21 left: sampling: pom max_steps=8 |
 /// view_angle=60".
 std::string format_progress(const Progress& progress);
 

@@ -82,7 +82,7 @@ std::vector<std::string> stage_files(Shape::Kind shape) {
 }
 
 Manifest load_manifest(const std::filesystem::path& folder, const std::filesystem::path& shared) {
-    // "techniques/pom/" has an empty last component.
+    // "techniques/mine/" has an empty last component.
     const std::filesystem::path named = folder.has_filename() ? folder : folder.parent_path();
     const std::string id = std::filesystem::absolute(named).lexically_normal().filename().string();
     const std::filesystem::path file = folder / "technique.json";
