@@ -48,10 +48,11 @@ MOST_LINES = 22
 PANEL_INCHES = (3.3, 2.8)
 # In a line above a panel.
 TITLE_LETTERS = 48
-# Of the legend: its lines and margins, each letter, each entry.
+# Of the legend: its lines and margins, each letter, each entry, and what lies above and below it: titles and the axis.
 LEGEND_INCHES = 0.6
 LETTER_INCHES = 0.055
-ENTRY_INCHES = 0.145
+ENTRY_INCHES = 0.152
+BESIDE_LEGEND_INCHES = 0.8
 # Values of a swept axis that all get their number.
 MOST_NAMED_VALUES = 10
 # Linear axes serve values within this factor of each other.
@@ -158,7 +159,7 @@ def make_figure(cells, x, y, options, log_x, log_y, each_setting=False, besides=
     columns = min(3, len(panels))
     rows = -(-len(panels) // columns)
     width = PANEL_INCHES[0] * columns + LEGEND_INCHES + LETTER_INCHES * max(len(handle.get_label()) for handle in handles)
-    height = max(PANEL_INCHES[1] * rows, ENTRY_INCHES * (len(handles) + 2)) + (0.3 if options.title else 0)
+    height = max(PANEL_INCHES[1] * rows, ENTRY_INCHES * len(handles) + BESIDE_LEGEND_INCHES) + (0.3 if options.title else 0)
     figure, grid = plt.subplots(rows, columns, squeeze=False, sharex=True, sharey=True, layout="constrained",
                                 figsize=(width, height))
     (placed_x, edge_x), (placed_y, edge_y) = placed_on(cells[x.column], log_x), placed_on(cells[y.column], log_y)

@@ -312,6 +312,16 @@ class Plot(unittest.TestCase):
         self.assertEqual(code, 0)
         self.assertIn("left out for work.steps_mean = 0, which a logarithmic axis lacks: 2 of 10 cells", errors)
 
+    def test_a_legend_of_many_techniques_lies_within_the_figure(self):
+        header = "cell,technique,status,time.draw.median_ms,error.uv_texels.p99,error.missed"
+        rows = [f"technique_{at:02} | ,technique_{at:02},ok,{1 + at},{30 - at},{at % 2}" for at in range(20)]
+        (self.path / "many.csv").write_text("\n".join([header, *rows]) + "\n")
+        axes = self.figure("pareto", "many.csv")[0]
+        axes.figure.canvas.draw()
+        legend, whole = axes.get_legend().get_window_extent(), axes.figure.bbox
+        self.assertGreaterEqual(legend.y0, whole.y0)
+        self.assertLessEqual(legend.x1, whole.x1)
+
     def test_each_format_is_written(self):
         for name, start in (("front.pdf", b"%PDF"), ("front.png", b"\x89PNG"), ("front.svg", b"<?xml")):
             self.assertEqual(self.plot("pareto", "cells.csv", "-o", name), (0, ""))
