@@ -165,8 +165,9 @@ TEST(Architecture, ThirdPartyHeadersStayBehindTheirInterface) {
                 EXPECT_TRUE(std::regex_match(file, direct)) << file << " may not include " << include.name;
             }
             for (const auto& [header, by] : reached) {
-                if (header.starts_with(prefix))
+                if (header.starts_with(prefix)) {
                     EXPECT_TRUE(std::regex_match(file, indirect)) << file << " reaches " << header << " by " << by;
+                }
             }
         }
     }
