@@ -2,6 +2,7 @@
 
 #include "core/number_text.hpp"
 #include "core/suggest.hpp"
+#include "gpu/device_features.hpp"
 #include "gpu/handles.hpp"
 #include "gpu/shader_cache.hpp"
 #include "gpu/shared_pipelines.hpp"
@@ -19,22 +20,6 @@ constexpr std::uint32_t needed_api = VK_API_VERSION_1_3;
 constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
 constexpr std::string_view install_a_driver =
     "Install the driver of your GPU, or lavapipe, which runs on the CPU: apt-get install mesa-vulkan-drivers";
-
-/// Optional features that techniques or the harness use where a device has them.
-struct OptionalFeature {
-    /// As technique.json or the harness asks for it.
-    const char* name;
-    vk::Bool32 vk::PhysicalDeviceFeatures::*member;
-};
-
-constexpr std::array optional_features{
-    OptionalFeature{"tessellationShader", &vk::PhysicalDeviceFeatures::tessellationShader},
-    OptionalFeature{"fragmentStoresAndAtomics", &vk::PhysicalDeviceFeatures::fragmentStoresAndAtomics},
-    OptionalFeature{"vertexPipelineStoresAndAtomics", &vk::PhysicalDeviceFeatures::vertexPipelineStoresAndAtomics},
-    OptionalFeature{"pipelineStatisticsQuery", &vk::PhysicalDeviceFeatures::pipelineStatisticsQuery},
-    OptionalFeature{"shaderStorageImageExtendedFormats",
-                    &vk::PhysicalDeviceFeatures::shaderStorageImageExtendedFormats},
-};
 
 std::string version_text(std::uint32_t version) {
     return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version),
@@ -71,24 +56,8 @@ std::string find_unusable_reason(const vk::raii::PhysicalDevice& device,
     if (properties.apiVersion < needed_api)
         return fmt::format("it has Vulkan {}; 1.3 is needed", version_text(properties.apiVersion));
     if (!find_queue_family(device)) return "it has no queue that draws, computes and has timestamps";
-    const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features>();
-    const auto& features_13 = features.get<vk::PhysicalDeviceVulkan13Features>();
-    if (!features_13.dynamicRendering || !features_13.synchronization2 || !features_13.maintenance4)
-        return "it lacks features of Vulkan 1.3";
+    if (!has_needed_features(device)) return "it lacks features of Vulkan 1.3";
     return {};
-}
-
-bool has_extension(const vk::raii::PhysicalDevice& device, std::string_view name) {
-    const std::vector<vk::ExtensionProperties> extensions = device.enumerateDeviceExtensionProperties();
-    return std::any_of(extensions.begin(), extensions.end(), [&](const vk::ExtensionProperties& extension) {
-        return name == std::string_view(extension.extensionName.data());
-    });
-}
-
-bool tells_of_executables(const vk::raii::PhysicalDevice& device) {
-    using Features = vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR;
-    if (!has_extension(device, VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME)) return false;
-    return device.getFeatures2<vk::PhysicalDeviceFeatures2, Features>().get<Features>().pipelineExecutableInfo;
 }
 
 std::string find_pci_address(const vk::raii::PhysicalDevice& device) {
@@ -126,11 +95,7 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& device, int index) {
     if (driver.driverInfo[0] != '\0') info.driver_version = driver.driverInfo.data();
     const std::uint32_t family = *find_queue_family(device);
     info.timestamp_valid_bits = static_cast<int>(device.getQueueFamilyProperties()[family].timestampValidBits);
-    const vk::PhysicalDeviceFeatures features = device.getFeatures();
-    for (const OptionalFeature& feature : optional_features) {
-        if (features.*feature.member) info.features.emplace_back(feature.name);
-    }
-    if (tells_of_executables(device)) info.features.emplace_back(pipeline_executable_feature);
+    info.features = find_features(device);
     return info;
 }
 
@@ -204,29 +169,6 @@ vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instan
                                                        .messageType = vk::DebugUtilsMessageTypeFlagBitsEXT::eValidation,
                                                        .pfnUserCallback = keep_message,
                                                        .pUserData = &log});
-}
-
-vk::raii::Device make_device(const DeviceHandles& handles) {
-    const float priority = 1;
-    const vk::DeviceQueueCreateInfo queue{
-        .queueFamilyIndex = handles.queue_family, .queueCount = 1, .pQueuePriorities = &priority};
-    vk::PhysicalDeviceVulkan13Features features_13{
-        .synchronization2 = true, .dynamicRendering = true, .maintenance4 = true};
-    vk::PhysicalDeviceFeatures2 features{.pNext = &features_13};
-    for (const OptionalFeature& feature : optional_features)
-        features.features.*feature.member = handles.info.has_feature(feature.name);
-    vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR executables{.pipelineExecutableInfo = true};
-    std::vector<const char*> extensions;
-    if (handles.info.has_feature(pipeline_executable_feature)) {
-        features_13.pNext = &executables;
-        extensions.push_back(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
-    }
-    return vk::raii::Device(handles.physical_device,
-                            vk::DeviceCreateInfo{.pNext = &features,
-                                                 .queueCreateInfoCount = 1,
-                                                 .pQueueCreateInfos = &queue,
-                                                 .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
-                                                 .ppEnabledExtensionNames = extensions.data()});
 }
 
 std::string lower(std::string text) {
@@ -323,7 +265,7 @@ Device::Device(const DeviceOptions& options)
     handles.memory = handles.physical_device.getMemoryProperties();
     handles.queue_family = *find_queue_family(handles.physical_device);
     translate_errors("open the device", handles.info.name, [&] {
-        handles.device = make_device(handles);
+        handles.device = make_device_with(handles.physical_device, handles.queue_family, handles.info.features);
         handles.queue = vk::raii::Queue(handles.device, handles.queue_family, 0);
         handles.command_pool =
             vk::raii::CommandPool(handles.device, vk::CommandPoolCreateInfo{.queueFamilyIndex = handles.queue_family});

@@ -33,8 +33,7 @@ struct DeviceInfo {
     int max_image_side = 0;
     int max_tessellation_factor = 0;
     std::uint64_t max_storage_buffer_bytes = 0;
-    /// Optional features that the device has, by their names in technique.json and, for the harness's own use, by
-    /// Vulkan's names: "tessellationShader", "fragmentStoresAndAtomics", ...
+    /// Of feature_names(), those that the device has; all of them are enabled.
     std::vector<std::string> features;
     /// Empty, or why reliefbench cannot run on it ("Vulkan 1.2 only, 1.3 is needed").
     std::string unusable_reason;
@@ -44,6 +43,11 @@ struct DeviceInfo {
 
 /// Among a device's features: it tells registers, spills and code size of what it compiled.
 inline constexpr const char* pipeline_executable_feature = "pipelineExecutableInfo";
+
+/// Every optional feature that technique.json or the harness can ask for: Vulkan's own names ("tessellationShader",
+/// "shaderFloat64"), and extensions with what belongs to them ("VK_EXT_mesh_shader", "VK_KHR_ray_query"). Which
+/// structures they stand in is told in gpu/device_features.cpp, one row each.
+std::vector<std::string> feature_names();
 
 /// In the loader's order, unusable ones too. No loader or no device is an Error that says which package brings one.
 std::vector<DeviceInfo> list_devices();

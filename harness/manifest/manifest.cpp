@@ -81,12 +81,13 @@ std::vector<std::string> stage_files(Shape::Kind shape) {
     return {"patches.vert", "control.tesc", "evaluation.tese", "patches.frag"};
 }
 
-Manifest load_manifest(const std::filesystem::path& folder, const std::filesystem::path& shared) {
+Manifest load_manifest(const std::filesystem::path& folder, const std::filesystem::path& shared,
+                       const std::vector<std::string>& known_features) {
     // "techniques/mine/" has an empty last component.
     const std::filesystem::path named = folder.has_filename() ? folder : folder.parent_path();
     const std::string id = std::filesystem::absolute(named).lexically_normal().filename().string();
     const std::filesystem::path file = folder / "technique.json";
-    Manifest manifest = parse_manifest(read_json_file(file), id, file.string(), shared, folder);
+    Manifest manifest = parse_manifest(read_json_file(file), id, file.string(), shared, folder, known_features);
 
     const auto require_file = [&](bool is_shared, const std::string& name, const std::string& why) {
         const bool found =

@@ -171,11 +171,14 @@ struct Manifest {
 /// of the folder `shared` (harness/shaders); one of them, quad.json, belongs to every technique of the shape "quad".
 /// Names that these shaders use (names_of_shaders) are Errors, too; where `folder`, the technique's own, is not given,
 /// only those of what is compiled with every technique of the shape.
+/// Features are of `known_features`, which the device layer has; where there are none, by any name.
 Manifest parse_manifest(const Json& json, const std::string& id, const std::string& file,
-                        const std::filesystem::path& shared = {}, const std::filesystem::path& folder = {});
+                        const std::filesystem::path& shared = {}, const std::filesystem::path& folder = {},
+                        const std::vector<std::string>& known_features = {});
 
 /// Reads <folder>/technique.json; the folder's name is the id. Missing shader files are Errors too.
-Manifest load_manifest(const std::filesystem::path& folder, const std::filesystem::path& shared = {});
+Manifest load_manifest(const std::filesystem::path& folder, const std::filesystem::path& shared = {},
+                       const std::vector<std::string>& known_features = {});
 
 /// Sets parameters that have no effect beside the others' values to their defaults, so that what draws alike is alike.
 void reset_idle(const Manifest& manifest, ParameterValues& values);

@@ -28,7 +28,6 @@ const std::vector<std::string> map_need_words{"square", "power_of_two", "untiled
 const std::vector<std::string> slicings{"sources", "rows"};
 
 const std::vector<std::string> kinds = words("texture parallax march hierarchy cone geometry");
-const std::vector<std::string> known_features{"tessellationShader"};
 const std::vector<std::string> map_formats{"r8", "r16", "rg16", "r32f", "rg32f", "rgba8", "rgba16", "rgba32f"};
 
 std::string parameter_names(const Manifest& manifest, const std::string& word) {
@@ -67,6 +66,17 @@ std::vector<std::string> parse_search_cap(const JsonView& view, const Manifest& 
             item.fail_here(fmt::format("the parameter '{}' is given twice", names.back()));
     }
     return names;
+}
+
+std::vector<std::string> parse_features(const JsonView& view, const std::vector<std::string>& known) {
+    std::vector<std::string> features;
+    for (const JsonView& item : view.items()) {
+        const std::string feature = known.empty() ? item.string() : known[item.choice(known)];
+        if (std::ranges::find(features, feature) != features.end())
+            item.fail_here(fmt::format("the feature '{}' is given twice", feature));
+        features.push_back(feature);
+    }
+    return features;
 }
 
 std::vector<MapNeed> parse_needs(const JsonView& view) {
@@ -285,7 +295,8 @@ void check_id(const std::string& id, const std::string& file) {
 }  // namespace
 
 Manifest parse_manifest(const Json& json, const std::string& id, const std::string& file,
-                        const std::filesystem::path& shared, const std::filesystem::path& folder) {
+                        const std::filesystem::path& shared, const std::filesystem::path& folder,
+                        const std::vector<std::string>& known_features) {
     check_id(id, file);
     const JsonView view(json, file);
     view.require_only({"title", "contract", "kind", "citation", "include", "parameters", "sample_count",
@@ -310,15 +321,7 @@ Manifest parse_manifest(const Json& json, const std::string& id, const std::stri
         }
     }
     if (view.has("search_cap")) manifest.search_cap = parse_search_cap(view.at("search_cap"), manifest);
-    if (view.has("features")) {
-        for (const JsonView& item : view.at("features").items()) {
-            const std::string feature = known_features[item.choice(known_features)];
-            if (std::ranges::find(manifest.features, feature) != manifest.features.end()) {
-                item.fail_here(fmt::format("the feature '{}' is given twice", feature));
-            }
-            manifest.features.push_back(feature);
-        }
-    }
+    if (view.has("features")) manifest.features = parse_features(view.at("features"), known_features);
     if (view.has("needs")) manifest.map_needs = parse_needs(view.at("needs"));
     parse_maps_and_passes(view, manifest, names);
     for (const IncludedSet& set : sets) {

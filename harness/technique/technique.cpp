@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/suggest.hpp"
+#include "gpu/device.hpp"
 #include "technique/source_identity.hpp"
 
 #include <algorithm>
@@ -103,7 +104,7 @@ TechniqueLibrary find_techniques(const std::vector<fs::path>& roots, const fs::p
     std::sort(folders.begin(), folders.end(), by_id);
     for (const fs::path& folder : folders) {
         try {
-            Manifest manifest = load_manifest(folder, shaders);
+            Manifest manifest = load_manifest(folder, shaders, gpu::feature_names());
             std::string hash = hash_technique(manifest, folder, shaders);
             library.techniques.push_back({std::move(manifest), folder, std::move(hash), shaders});
         } catch (const std::exception& error) {

@@ -2,19 +2,26 @@
 
 #include "gpu/commands.hpp"
 #include "gpu/memory.hpp"
+#include "gpu/pipeline.hpp"
 #include "support/error_message.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
+#include <cstring>
+#include <memory>
 #include <optional>
+#include <set>
+#include <span>
 
 namespace reliefbench::gpu {
 namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::IsSupersetOf;
 using testing::SizeIs;
 
 /// Sets an environment variable, or unsets it, until the end of the scope.
@@ -126,6 +133,44 @@ TEST(DeviceOpening, SynchronisationIsValidated) {
     });
     ASSERT_THAT(device.validation_messages(), SizeIs(1));
     EXPECT_THAT(device.validation_messages().front(), HasSubstr("SYNC-HAZARD-WRITE-AFTER-WRITE"));
+}
+
+TEST(DeviceFeatures, HaveNamesOfTheirOwnAndADeviceHasSomeOfThem) {
+    const std::vector<std::string> names = feature_names();
+    EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+    EXPECT_THAT(names, IsSupersetOf({"tessellationShader", "VK_EXT_mesh_shader", "VK_KHR_ray_query",
+                                     pipeline_executable_feature}));
+    const Device device({.choice = "", .validation = true});
+    EXPECT_THAT(names, IsSupersetOf(device.info().features));
+    EXPECT_TRUE(device.info().has_feature("fragmentStoresAndAtomics"));
+    EXPECT_THAT(device.validation_messages(), IsEmpty()) << "all of them enabled together";
+}
+
+TEST(DeviceFeatures, AreEnabledWhereTheDeviceHasThem) {
+    const Device device({.choice = "", .validation = true});
+    if (!device.info().has_feature("shaderFloat64")) GTEST_SKIP() << "the device has no doubles";
+    const char* const text = R"(
+        layout(local_size_x = 1) in;
+        layout(set = 0, binding = 0, std430) buffer Numbers { double numbers[2]; };
+        void main() { numbers[1] = numbers[0] * 3.0LF; })";
+    const auto code = std::make_shared<const SpirV>(compile_shader({.stage = ShaderStage::compute,
+                                                                    .file = "doubles.comp",
+                                                                    .roots = {},
+                                                                    .generated = {{"doubles.comp", text}},
+                                                                    .preamble = {}}));
+    const std::array<double, 2> numbers{1 + 0x1p-50, 0};
+    const Buffer buffer =
+        make_filled_buffer(device, vk::BufferUsageFlagBits::eStorageBuffer, std::as_bytes(std::span(numbers)));
+    const Pipeline pipeline = make_compute_pipeline(device, {.shader = {ShaderStage::compute, code}, .constants = {}},
+                                                    {{storage_buffer("Numbers", buffer.buffer)}});
+    submit_and_wait(device, "multiply doubles", [&](const vk::raii::CommandBuffer& commands) {
+        pipeline.bind(commands);
+        commands.dispatch(1, 1, 1);
+    });
+    double product = 0;
+    std::memcpy(&product, buffer.mapped + sizeof product, sizeof product);
+    EXPECT_EQ(product, 3 * numbers[0]);
+    EXPECT_THAT(device.validation_messages(), IsEmpty());
 }
 
 TEST(DeviceOpening, TooLargeABufferIsAnError) {

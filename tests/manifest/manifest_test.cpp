@@ -47,14 +47,15 @@ Json complete() {
                       "test");
 }
 
+const std::vector<std::string> features{"tessellationShader", "shaderFloat64", "VK_EXT_mesh_shader"};
 const fs::path shared_shaders = fs::path(RELIEFBENCH_SOURCE_DIR) / "harness" / "shaders";
 
 Manifest parse(const Json& json) {
-    return parse_manifest(json, "test", "technique.json", shared_shaders);
+    return parse_manifest(json, "test", "technique.json", shared_shaders, {}, features);
 }
 
 std::string message_of(const Json& json, const std::string& id = "test") {
-    return error_message([&] { parse_manifest(json, id, "technique.json", shared_shaders); });
+    return error_message([&] { parse_manifest(json, id, "technique.json", shared_shaders, {}, features); });
 }
 
 /// `complete()` with the member at the JSON pointer replaced.
@@ -208,7 +209,9 @@ TEST(Manifest, WhatIsWrongIsNamedWithItsPlace) {
         {"/search_cap", "\"bias\"", "$.search_cap: the parameter 'bias' must be of type integer"},
         {"/search_cap", "[\"max_steps\", \"max_step\"]", "$.search_cap[1]: no parameter 'max_step' (did you mean"},
         {"/search_cap", "[\"max_steps\", \"max_steps\"]", "$.search_cap[1]: the parameter 'max_steps' is given twice"},
-        {"/features/0", "\"tesselation\"", "$.features[0]"},
+        {"/features/0", "\"tesselationShader\"", "(did you mean 'tessellationShader'?)"},
+        {"/features/0", "\"VK_NV_mesh_shader\"", "(did you mean 'VK_EXT_mesh_shader'?)"},
+        {"/features/1", "\"tessellationShader\"", "$.features[1]: the feature 'tessellationShader' is given twice"},
         {"/needs", R"({"map": ["squared"]})", "$.needs.map[0]"},
         {"/needs", R"({"map": ["square", "square"]})", "$.needs.map[1]: 'square' is given twice"},
         {"/needs", R"({"maps": ["square"]})", "$.needs: unknown key \"maps\" (did you mean 'map'?)"},
