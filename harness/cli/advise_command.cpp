@@ -9,6 +9,7 @@
 #include "core/number_text.hpp"
 #include "core/suggest.hpp"
 #include "report/advice_format.hpp"
+#include "store/chosen_figures.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -33,23 +34,25 @@ struct AdviseOptions {
 };
 
 /// What is better neither way is an Error that names `option`.
-const FigureDeclaration& figure_with_direction(const std::string& path, const std::string& option) {
-    const FigureDeclaration& figure = chosen_figure(path, option);
+const FigureDeclaration& figure_with_direction(const std::string& path, const std::string& option,
+                                               const StoredRun& run) {
+    const FigureDeclaration& figure = chosen_figure(path, option, {&run, 1});
     if (figure.better == Better::neither) {
         fail("{}: neither more nor less of {} is better; name a figure that has a better side", option, path);
     }
     return figure;
 }
 
-AdviceLimit parse_limit(const std::string& text) {
+AdviceLimit parse_limit(const std::string& text, const StoredRun& run) {
     const std::size_t equals = text.find('=');
     const std::optional<double> value =
         equals == std::string::npos ? std::nullopt : whole_text_as<double>(std::string_view(text).substr(equals + 1));
     if (!value) fail("--limit: expected FIGURE=VALUE, such as error.uv_texels.max=2, found '{}'", text);
-    return {&figure_with_direction(text.substr(0, equals), "--limit"), *value};
+    return {&figure_with_direction(text.substr(0, equals), "--limit", run), *value};
 }
 
-AdviceRequest request_of(const AdviseOptions& options, const std::vector<CellResult>& cells) {
+AdviceRequest request_of(const AdviseOptions& options, const StoredRun& run) {
+    const std::vector<CellResult>& cells = run.run.cells;
     AdviceRequest request;
     const auto limit = [&](const FigureDeclaration* figure, const std::optional<double>& value) {
         if (!value) return;
@@ -57,13 +60,13 @@ AdviceRequest request_of(const AdviseOptions& options, const std::vector<CellRes
         request.limits.push_back({figure, *value});
     };
     if (!options.budget.empty()) {
-        limit(find_figure("time.draw.median_ms"), parse_milliseconds(options.budget, "--budget"));
+        limit(&known_figure(chosen_figures::cost), parse_milliseconds(options.budget, "--budget"));
     }
     limit(&ranking_figure(cells), options.flip);
-    limit(find_figure("error.uv_texels.p99"), options.uv);
-    limit(find_figure("error.shadow.mean"), options.shadow);
+    limit(&known_figure(chosen_figures::quality), options.uv);
+    limit(&known_figure(chosen_figures::shadow), options.shadow);
     for (const std::string& text : options.limits) {
-        request.limits.push_back(parse_limit(text));
+        request.limits.push_back(parse_limit(text, run));
     }
     if (request.limits.empty()) {
         fail(
@@ -71,7 +74,7 @@ AdviceRequest request_of(const AdviseOptions& options, const std::vector<CellRes
             "FIGURE=VALUE");
     }
     request.rank_by =
-        options.rank_by.empty() ? &ranking_figure(cells) : &figure_with_direction(options.rank_by, "--rank-by");
+        options.rank_by.empty() ? &ranking_figure(cells) : &figure_with_direction(options.rank_by, "--rank-by", run);
     return request;
 }
 
@@ -80,7 +83,7 @@ ExitCode advise_from_run(const AdviseOptions& options) {
     std::vector<StoredRun> runs = read_stored_runs({options.run});
     keep_cells(runs, options.cells);
     const std::vector<CellResult>& cells = runs.front().run.cells;
-    print_results(format_advice(advise(cells, request_of(options, cells)), format, table_columns()));
+    print_results(format_advice(advise(cells, request_of(options, runs.front())), format, table_columns()));
     return ExitCode::done;
 }
 

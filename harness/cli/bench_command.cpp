@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/suggest.hpp"
 #include "measure/shared_inputs.hpp"
+#include "report/benchmark_counters.hpp"
 #include "store/environment.hpp"
 
 #include <benchmark/benchmark.h>
@@ -112,12 +113,8 @@ std::string benchmark_name(const std::string& cell_id) {
 }
 
 void add_counters(benchmark::State& state, const CellResult& cell) {
-    if (cell.work) state.counters["taps"] = cell.work->taps_mean;
-    if (cell.error) {
-        if (cell.error->uv_texels) state.counters["uv_error_p99_texels"] = cell.error->uv_texels->p99;
-        state.counters["missed_and_false_hits"] = cell.error->missed + cell.error->false_hits;
-    }
-    if (cell.prepare_bytes) state.counters["prepare_bytes"] = static_cast<double>(*cell.prepare_bytes);
+    for (const auto& [name, value] : benchmark_counters(cell))
+        state.counters[name] = value;
 }
 
 /// What one iteration is. The time reported is always that of one draw.

@@ -26,7 +26,6 @@ struct CompareCommandOptions {
 
 ExitCode compare(const CompareCommandOptions& options) {
     options.output.check();
-    const CompareOptions compare_options = options.comparison.options();
     const RunSides sides = split_sides(options.folders, "compare");
     // Together, so that a run on both sides is found.
     std::vector<std::string> folders = sides.base;
@@ -34,6 +33,7 @@ ExitCode compare(const CompareCommandOptions& options) {
     std::vector<StoredRun> runs = read_stored_runs(folders);
     give_common_ids(runs);
     const std::span<const StoredRun> all(runs);
+    const CompareOptions compare_options = options.comparison.options(all);
     const auto base = all.first(sides.base.size());
     const auto changed = all.subspan(sides.base.size());
     return options.output.print(options.quality_only

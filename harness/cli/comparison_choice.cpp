@@ -16,11 +16,11 @@ void ComparisonChoice::add_to(CLI::App& command) {
     quality.add_to(command);
 }
 
-CompareOptions ComparisonChoice::options() const {
+CompareOptions ComparisonChoice::options(std::span<const StoredRun> runs) const {
     CompareOptions options;
     options.threshold = parse_threshold(threshold, "--threshold");
     options.across_devices = across_devices;
-    options.deciding_figures = quality.deciding_figures();
+    options.deciding_figures = quality.deciding_figures(runs);
     return options;
 }
 

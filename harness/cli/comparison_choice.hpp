@@ -3,6 +3,7 @@
 #include "cli/quality_choice.hpp"
 #include "compare/compare_runs.hpp"
 
+#include <span>
 #include <string>
 
 /// Only forward: CLI11 costs seconds per file.
@@ -20,7 +21,7 @@ struct ComparisonChoice {
 
     void add_to(CLI::App& command);
     /// A threshold that is none is an Error, and so is what QualityChoice refuses.
-    CompareOptions options() const;
+    CompareOptions options(std::span<const StoredRun> runs) const;
 };
 
 }  // namespace reliefbench

@@ -81,17 +81,16 @@ std::vector<std::string> in_lines(const std::vector<std::string>& list, std::siz
 std::vector<std::string> figures_of(const DrawnCell& drawn, const std::optional<ShadowErrors>& shadow) {
     const HitErrors errors = hit_errors_of(drawn);
     const ImageErrors image = image_errors_of(drawn).footprint;
-    std::optional<CellResult::Work> work = summarize_work(drawn.probe);
+    const std::optional<WorkSummary> work = summarize_work(drawn.probe, shadow.has_value());
     std::vector<std::string> lines;
     lines.push_back(errors.uv_texels ? fmt::format("UV error p99 {:.3g}, p50 {:.2g} texels", errors.uv_texels->p99,
                                                    errors.uv_texels->p50)
                                      : "UV error undefined");
     lines.push_back(fmt::format("missed {:.3g} %, false hits {:.3g} %", 100 * errors.missed, 100 * errors.false_hits));
     if (image.flip) lines.push_back(fmt::format("FLIP {:.3f}", *image.flip));
-    if (work) lines.push_back(fmt::format("taps {:.4g} (p95 {:.4g})", work->taps_mean, work->taps_p95));
+    if (work) lines.push_back(fmt::format("taps {:.4g} (p95 {:.4g})", work->taps_mean(), work->taps_p95()));
     if (work && shadow) {
-        add_shadow_work(*work, drawn.probe);
-        lines.push_back(fmt::format("shadow error {:.3g}, taps {:.4g}", shadow->mean, *work->shadow_taps_mean));
+        lines.push_back(fmt::format("shadow error {:.3g}, taps {:.4g}", shadow->mean, work->shadow_taps->mean));
     }
     return lines;
 }

@@ -29,25 +29,42 @@ std::vector<std::string> words_of_figure(std::string_view text) {
     return words;
 }
 
+using FigureChoices = std::vector<const FigureDeclaration*>;
+
+/// Of this version and, after them, what a later one declared in a run.
+FigureChoices figures_to_choose(std::span<const StoredRun> runs) {
+    FigureChoices all;
+    for (const FigureDeclaration& figure : figures())
+        all.push_back(&figure);
+    for (const StoredRun& run : runs) {
+        for (const FigureDeclaration& figure : run.run.figures->all()) {
+            const bool known = std::any_of(all.begin(), all.end(),
+                                           [&](const FigureDeclaration* each) { return each->path == figure.path; });
+            if (!known) all.push_back(&figure);
+        }
+    }
+    return all;
+}
+
 /// Figures that a short name means: those whose path ends so, else those that have all its words in their path or
 /// label. Deeper paths first, as what is of a part decides ("image.footprint.flip" before "image.flip").
-std::vector<std::string> figures_meant(const std::string& name) {
+std::vector<std::string> figures_meant(const std::string& name, const FigureChoices& choices) {
     const std::vector<std::string> words = words_of_figure(name);
     if (words.empty()) return {};
     std::vector<std::string> ending;
     std::vector<std::string> having;
-    for (const FigureDeclaration& figure : figures()) {
-        std::vector<std::string> known = words_of_figure(figure.path);
+    for (const FigureDeclaration* figure : choices) {
+        std::vector<std::string> known = words_of_figure(figure->path);
         if (known.size() >= words.size() &&
             std::equal(words.begin(), words.end(), known.end() - static_cast<std::ptrdiff_t>(words.size()))) {
-            ending.emplace_back(figure.path);
+            ending.push_back(figure->path);
         }
-        const std::vector<std::string> label = words_of_figure(figure.label);
+        const std::vector<std::string> label = words_of_figure(figure->label);
         known.insert(known.end(), label.begin(), label.end());
         const bool has_all = std::all_of(words.begin(), words.end(), [&](const std::string& word) {
             return std::find(known.begin(), known.end(), word) != known.end();
         });
-        if (has_all) having.emplace_back(figure.path);
+        if (has_all) having.push_back(figure->path);
     }
     std::vector<std::string>& meant = ending.empty() ? having : ending;
     std::stable_sort(meant.begin(), meant.end(), [](const std::string& a, const std::string& b) {
@@ -60,20 +77,25 @@ std::vector<std::string> figures_meant(const std::string& name) {
     return std::move(meant);
 }
 
-std::string suggest_figures(const std::string& name) {
-    const std::vector<std::string> meant = figures_meant(name);
+std::string suggest_figures(const std::string& name, const FigureChoices& choices) {
+    const std::vector<std::string> meant = figures_meant(name, choices);
     if (!meant.empty()) return fmt::format(" (did you mean {}?)", join(meant));
     std::vector<std::string> paths;
-    for (const FigureDeclaration& each : figures())
-        paths.emplace_back(each.path);
+    for (const FigureDeclaration* each : choices)
+        paths.push_back(each->path);
     return did_you_mean(name, paths);
 }
 
 }  // namespace
 
-const FigureDeclaration& chosen_figure(const std::string& path, const std::string& option) {
-    if (const FigureDeclaration* const figure = find_figure(path)) return *figure;
-    fail("{}: there is no figure '{}'{}; `reliefbench list figures` has them all", option, path, suggest_figures(path));
+const FigureDeclaration& chosen_figure(const std::string& path, const std::string& option,
+                                       std::span<const StoredRun> runs) {
+    const FigureChoices choices = figures_to_choose(runs);
+    const auto found = std::find_if(choices.begin(), choices.end(),
+                                    [&](const FigureDeclaration* figure) { return figure->path == path; });
+    if (found != choices.end()) return **found;
+    fail("{}: there is no figure '{}'{}; `reliefbench list figures` has them all", option, path,
+         suggest_figures(path, choices));
 }
 
 }  // namespace reliefbench

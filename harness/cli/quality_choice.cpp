@@ -17,8 +17,8 @@ namespace {
 
 constexpr const char* quality_option = "--quality-figures";
 
-const FigureDeclaration* parse_term(const std::string& path) {
-    const FigureDeclaration& figure = chosen_figure(path, quality_option);
+const FigureDeclaration* parse_term(const std::string& path, std::span<const StoredRun> runs) {
+    const FigureDeclaration& figure = chosen_figure(path, quality_option, runs);
     if (is_time(figure)) fail("{}: {} is a time, which has a verdict of its own", quality_option, path);
     if (figure.better == Better::neither) {
         fail("{}: of {} neither less nor more is better (`reliefbench list figures`)", quality_option, path);
@@ -32,17 +32,17 @@ void parse_tolerance(const std::string& text, FigureTolerance& tolerance) {
     if (percent) digits.remove_suffix(1);
     const auto number = whole_text_as<double>(digits);
     if (!number || !std::isfinite(*number) || *number < 0) {
-        fail("{}: expected a tolerance such as 0.05 (in the figure's unit) or 5% (of its value), found '{}'", quality_option,
-             text);
+        fail("{}: expected a tolerance such as 0.05 (in the figure's unit) or 5% (of its value), found '{}'",
+             quality_option, text);
     }
     (percent ? tolerance.relative : tolerance.absolute) = percent ? *number / 100 : *number;
 }
 
-DecidingFigure parse_figure(const std::string& text) {
+DecidingFigure parse_figure(const std::string& text, std::span<const StoredRun> runs) {
     const std::vector<std::string> parts = split(text, ':');
     std::vector<const FigureDeclaration*> terms;
     for (const std::string& path : split(parts.front(), '+')) {
-        terms.push_back(parse_term(path));
+        terms.push_back(parse_term(path, runs));
         if (terms.back()->unit != terms.front()->unit || terms.back()->better != terms.front()->better) {
             fail("{}: {} and {} are of different units or directions, and their sum means nothing", quality_option,
                  terms.front()->path, path);
@@ -67,11 +67,11 @@ void QualityChoice::add_to(CLI::App& command) {
         ->type_name("NAME,NAME...");
 }
 
-std::vector<DecidingFigure> QualityChoice::deciding_figures() const {
+std::vector<DecidingFigure> QualityChoice::deciding_figures(std::span<const StoredRun> runs) const {
     if (figures.empty()) return default_deciding_figures();
     std::vector<DecidingFigure> chosen;
     for (const std::string& text : split(figures, ',')) {
-        chosen.push_back(parse_figure(text));
+        chosen.push_back(parse_figure(text, runs));
         const std::string name = chosen.back().name();
         if (std::count_if(chosen.begin(), chosen.end(),
                           [&](const DecidingFigure& each) { return each.name() == name; }) > 1) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "compare/deciding_figures.hpp"
+#include "compare/stored_run.hpp"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,7 +23,8 @@ struct QualityChoice {
     void add_to(CLI::App& command);
     /// What is unknown, named twice, a time (which has a verdict of its own) or without a direction, a sum of unlike
     /// figures, and what is no tolerance is an Error.
-    std::vector<DecidingFigure> deciding_figures() const;
+    /// Of the figures of this version and of those that made the runs, which must outlive the answer.
+    std::vector<DecidingFigure> deciding_figures(std::span<const StoredRun> runs = {}) const;
 };
 
 }  // namespace reliefbench

@@ -61,9 +61,9 @@ void print_summary(const Cell& cell, const DrawnCell& drawn, const std::optional
     const HitErrors errors = hit_errors_of(drawn);
     const ImageComparison image = image_errors_of(drawn);
     fmt::print(stderr, "{}\n", cell.id);
-    if (const std::optional<CellResult::Work> work = summarize_work(drawn.probe)) {
+    if (const std::optional<WorkSummary> work = summarize_work(drawn.probe, shadow.has_value())) {
         fmt::print(stderr, "{} covered; per pixel {:.2f} taps (p95 {:.0f}), {:.2f} steps; {:.3f} % unconverged\n",
-                   counted(work->covered_pixels, "pixel"), work->taps_mean, work->taps_p95, work->steps_mean,
+                   counted(work->covered_pixels, "pixel"), work->taps_mean(), work->taps_p95(), work->steps.mean,
                    100 * work->unconverged);
     } else {
         fmt::print(stderr, "no pixel covered\n");

@@ -103,11 +103,11 @@ RunSamples with_common_ids(RunSamples samples, const std::vector<std::string>& i
 
 ExitCode report(const ReportOptions& options) {
     check_output_file(options.output, "--output");
-    const CompareOptions compare_options = options.comparison.options();
     const std::string page = read_report_page();
 
     const std::optional<RunSides> sides = compared_sides(options.folders);
     std::vector<StoredRun> stored = read_stored_runs(all_folders(options, sides));
+    const CompareOptions compare_options = options.comparison.options(stored);
     PagePictures pictures;
     std::vector<FolderContent> contents = read_contents(stored, options.picture_megabytes, pictures);
     give_common_ids(stored);

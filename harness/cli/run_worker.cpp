@@ -19,6 +19,7 @@
 #include "measure/run_summary.hpp"
 #include "measure/shared_inputs.hpp"
 #include "report/run_format.hpp"
+#include "store/figures.hpp"
 #include "store/resume.hpp"
 #include "store/run_folder.hpp"
 #include "store/stored_format.hpp"
@@ -53,6 +54,8 @@ Json resumed_record(Json recorded, const Json& now, const std::vector<std::strin
         note[part] = now.at(part);
     note["differences"] = differences;
     recorded["resumed"].push_back(std::move(note));
+    // Cells of both versions stand in it where it is another one that goes on.
+    recorded["figures"] = figures_to_json(figures_of_record(recorded, "run.json")->all());
     return recorded;
 }
 

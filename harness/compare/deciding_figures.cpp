@@ -1,26 +1,14 @@
 #include "compare/deciding_figures.hpp"
 
+#include "store/chosen_figures.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <string_view>
 #include <utility>
 
 namespace reliefbench {
-
-namespace {
-
-constexpr std::string_view footprint_part = ".footprint";
-
-/// Null for none.
-const FigureDeclaration* stand_in_of(const FigureDeclaration& figure) {
-    std::string path(figure.path);
-    const std::size_t at = path.find(footprint_part);
-    return at == std::string::npos ? nullptr : find_figure(path.erase(at, footprint_part.size()));
-}
-
-}  // namespace
 
 double size_in_tolerances(double a, double b, const FigureTolerance& tolerance) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -37,10 +25,10 @@ double size_in_tolerances(double a, double b, const FigureTolerance& tolerance) 
 
 FigureTolerance tolerance_of(const FigureDeclaration& figure) {
     // Per frame: small beside the errors themselves.
-    if (figure.path.starts_with("motion.") && figure.unit != "pixels") return {0.005, 0.05};
+    if (figure.has_need(figure_needs::motion) && !figure.is_count) return {0.005, 0.05};
     // On a scale that ends at 1, where a share of the value says little.
     if (figure.unit.empty() && figure.better == Better::higher) return {0.005, 0};
-    if (figure.path.starts_with("image.") && figure.unit.empty()) return {0.002, 0.02};
+    if (figure.has_need(figure_needs::lighting) && figure.unit.empty() && !figure.is_count) return {0.002, 0.02};
     if (figure.unit.starts_with("fraction")) return {0.001, 0};
     if (figure.unit == "texels") return {0.05, 0.05};
     if (figure.unit == "degrees") return {0.5, 0.05};
@@ -65,20 +53,21 @@ DecidingFigure deciding_figure(std::vector<const FigureDeclaration*> terms) {
     assert(!terms.empty());
     DecidingFigure figure;
     figure.tolerance = tolerance_of(*terms.front());
-    if (terms.size() == 1) figure.stand_in = stand_in_of(*terms.front());
+    if (terms.size() == 1 && !terms.front()->stand_in.empty()) figure.stand_in = find_figure(terms.front()->stand_in);
     figure.terms = std::move(terms);
     return figure;
 }
 
 const std::vector<DecidingFigure>& default_deciding_figures() {
+    using namespace chosen_figures;
     static const std::vector<DecidingFigure> figures = {
-        deciding_figure({find_figure("error.uv_texels.p99")}),
-        deciding_figure({find_figure("error.uv_texels.mean")}),
-        deciding_figure({find_figure("error.missed"), find_figure("error.false_hits")}),
-        deciding_figure({find_figure("image.footprint.flip")}),
-        deciding_figure({find_figure("error.shadow.mean")}),
-        deciding_figure({find_figure("motion.texels.mean")}),
-        deciding_figure({find_figure("motion.flip.mean")}),
+        deciding_figure({&known_figure(quality)}),
+        deciding_figure({&known_figure(mean_uv)}),
+        deciding_figure({&known_figure(missed), &known_figure(false_hits)}),
+        deciding_figure({&known_figure(flip)}),
+        deciding_figure({&known_figure(shadow)}),
+        deciding_figure({&known_figure(motion)}),
+        deciding_figure({&known_figure(motion_flip)}),
     };
     return figures;
 }

@@ -4,6 +4,7 @@
 #include "core/counted.hpp"
 #include "core/json_lookup.hpp"
 #include "core/suggest.hpp"
+#include "store/chosen_figures.hpp"
 
 #include <fmt/format.h>
 
@@ -42,22 +43,17 @@ QualityComparison compare_quality_of(const SideCell& base, const SideCell& chang
                                      std::span<const DecidingFigure> deciding) {
     CellResult before = *base.measured[0];
     CellResult after = *changed.measured[0];
-    const bool comparable_errors = same_truth(*base.runs[0], *changed.runs[0]);
-    if (!comparable_errors) before.error = after.error = std::nullopt;
-    if (!comparable_errors || !same_lighting(*base.runs[0], *changed.runs[0])) {
-        for (CellResult* side : {&before, &after}) {
-            side->image = std::nullopt;
-            if (!side->error) continue;
-            side->error->shadow = std::nullopt;
-            side->error->wrong_surface = std::nullopt;
-        }
-    }
-    if (!comparable_errors || !same_motion(*base.runs[0], *changed.runs[0])) {
-        before.motion = after.motion = std::nullopt;
-    } else if (!same_lighting(*base.runs[0], *changed.runs[0])) {
-        for (CellResult* side : {&before, &after}) {
-            if (side->motion) side->motion->flip = std::nullopt;
-        }
+    const bool truth = same_truth(*base.runs[0], *changed.runs[0]);
+    const bool seen = same_lighting(*base.runs[0], *changed.runs[0]);
+    const bool moved = same_motion(*base.runs[0], *changed.runs[0]);
+    const auto means_the_same = [&](const FigureDeclaration& figure) {
+        const auto needs = [&](std::string_view need) { return figure.has_need(need); };
+        return (truth || !needs(figure_needs::truth)) && (moved || !needs(figure_needs::motion)) &&
+               (seen || !(needs(figure_needs::lighting) || needs(figure_needs::object)));
+    };
+    if (!truth || !seen || !moved) {
+        before.figures.keep_only(means_the_same);
+        after.figures.keep_only(means_the_same);
     }
     return compare_quality(before, after, deciding);
 }
@@ -119,10 +115,7 @@ std::vector<std::string> notices_on_stand_ins(const Comparison& comparison) {
 
 /// Where the truth found ties on one side and runs of the other knew none, errors are of different pixels.
 std::optional<std::string> notice_on_ties(const RunSide& base, const RunSide& changed, const Comparison& comparison) {
-    const auto ties = [](const SideCell& cell) {
-        const auto& error = cell.measured[0]->error;
-        return error ? error->ties : std::nullopt;
-    };
+    const auto ties = [](const SideCell& cell) { return value_of(chosen_figures::ties, *cell.measured[0]); };
     std::size_t cells = 0;
     for (const CellComparison& cell : comparison.cells) {
         const auto before = ties(base.cells.at(cell.cell));
@@ -131,9 +124,9 @@ std::optional<std::string> notice_on_ties(const RunSide& base, const RunSide& ch
     }
     if (cells == 0) return std::nullopt;
     return fmt::format(
-        "of {} of {} the errors of one side count ties (error.ties), which runs of an older version did not "
+        "of {} of {} the errors of one side count ties ({}), which runs of an older version did not "
         "know: what is better or worse in them may be that and nothing else",
-        cells, counted(comparison.cells.size(), "cell"));
+        cells, counted(comparison.cells.size(), "cell"), chosen_figures::ties);
 }
 
 /// Technique, axes and parameters of a side's cells: each with its values as text, in their order.

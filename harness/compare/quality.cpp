@@ -1,7 +1,6 @@
 #include "compare/quality.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -14,36 +13,22 @@ namespace {
 constexpr double rounding_relative = 1e-4;
 constexpr double rounding_absolute = 1e-6;
 
-/// The figure that says over how many pixels, or pixels and lights, this one was computed; null for none.
-const FigureDeclaration* count_of(const FigureDeclaration& figure) {
-    struct Group {
-        std::string_view prefix;
-        const FigureDeclaration* count;
-    };
-    static const std::array groups = {
-        Group{"error.uv_texels.", find_figure("error.compared")},
-        Group{"error.depth.", find_figure("error.compared")},
-        Group{"error.normal_deg.", find_figure("error.compared")},
-        Group{"error.shadow.", find_figure("error.shadow.compared")},
-        Group{"motion.texels.", find_figure("motion.compared")},
-    };
-    for (const auto& [prefix, count] : groups) {
-        if (figure.path.starts_with(prefix) && &figure != count) return count;
-    }
-    return nullptr;
+/// Of how many pixels, or pixels and lights, a figure is a statistic; null for none.
+const FigureDeclaration* count_of(const FigureDeclaration& figure, const CellResult& cell) {
+    return figure.over.empty() ? nullptr : cell.figures.list().find(figure.over);
 }
 
 /// A statistic over no pixel is none.
-std::optional<double> value_of(const FigureDeclaration& figure, const CellResult& cell) {
-    const FigureDeclaration* count = count_of(figure);
-    if (count != nullptr && count->value(cell) == 0.0) return std::nullopt;
-    return figure.value(cell);
+std::optional<double> compared_value(const FigureDeclaration& figure, const CellResult& cell) {
+    const FigureDeclaration* count = count_of(figure, cell);
+    if (count != nullptr && value_of(*count, cell) == 0.0) return std::nullopt;
+    return value_of(figure, cell);
 }
 
-std::optional<double> value_of(const DecidingFigure& figure, const CellResult& cell) {
+std::optional<double> compared_value(const DecidingFigure& figure, const CellResult& cell) {
     double sum = 0;
     for (const FigureDeclaration* term : figure.terms) {
-        const std::optional<double> value = value_of(*term, cell);
+        const std::optional<double> value = compared_value(*term, cell);
         if (!value) return std::nullopt;
         sum += *value;
     }
@@ -75,6 +60,20 @@ std::optional<QualityChange> change_of(std::string field, const std::optional<do
     return change;
 }
 
+/// What this version declares, and what a later one did for either side.
+std::vector<const FigureDeclaration*> figures_of_both(const CellResult& base, const CellResult& changed) {
+    const FigureList& first = base.figures.list();
+    const FigureList& second = changed.figures.list();
+    std::vector<const FigureDeclaration*> all;
+    for (const FigureDeclaration& figure : first.all())
+        all.push_back(&figure);
+    if (&first == &second) return all;
+    for (const FigureDeclaration& figure : second.all()) {
+        if (first.find(figure.path) == nullptr) all.push_back(&figure);
+    }
+    return all;
+}
+
 /// 0 for the first that anybody wants to read.
 int importance(const QualityChange& change) {
     const bool has_both = change.base && change.changed;
@@ -88,13 +87,13 @@ public:
     CellQuality(const CellResult& base, const CellResult& changed) : base_(base), changed_(changed) {}
 
     void compare(const DecidingFigure& figure) {
-        std::optional<double> before = value_of(figure, base_);
-        std::optional<double> after = value_of(figure, changed_);
+        std::optional<double> before = compared_value(figure, base_);
+        std::optional<double> after = compared_value(figure, changed_);
         const FigureDeclaration* stand_in = before && after ? nullptr : figure.stand_in;
-        if (stand_in != nullptr && stand_in->value(base_) && stand_in->value(changed_)) {
-            before = stand_in->value(base_);
-            after = stand_in->value(changed_);
-            comparison_.stand_ins.push_back({figure.name(), std::string(stand_in->path)});
+        if (stand_in != nullptr && value_of(*stand_in, base_) && value_of(*stand_in, changed_)) {
+            before = value_of(*stand_in, base_);
+            after = value_of(*stand_in, changed_);
+            comparison_.stand_ins.push_back({figure.name(), stand_in->path});
         } else {
             stand_in = nullptr;
         }
@@ -103,7 +102,7 @@ public:
             for (const FigureDeclaration* term : figure.terms)
                 compare_count_of(*term);
         }
-        auto change = change_of(stand_in ? std::string(stand_in->path) : figure.name(), before, after,
+        auto change = change_of(stand_in ? stand_in->path : figure.name(), before, after,
                                 stand_in ? *stand_in : *figure.terms.front(), figure.tolerance);
         if (!change) return;
         change->is_deciding = true;
@@ -113,7 +112,7 @@ public:
     }
 
     void inform_of(const FigureDeclaration& figure) {
-        auto change = change_of(std::string(figure.path), value_of(figure, base_), value_of(figure, changed_), figure,
+        auto change = change_of(figure.path, compared_value(figure, base_), compared_value(figure, changed_), figure,
                                 tolerance_of(figure));
         if (change) add(std::move(*change));
     }
@@ -130,12 +129,12 @@ public:
 private:
     /// Where one side compared nothing, that side is worse.
     void compare_count_of(const FigureDeclaration& figure) {
-        const FigureDeclaration* count = count_of(figure);
+        const FigureDeclaration* count = count_of(figure, base_);
         if (count == nullptr) return;
-        const std::optional<double> before = count->value(base_);
-        const std::optional<double> after = count->value(changed_);
+        const std::optional<double> before = value_of(*count, base_);
+        const std::optional<double> after = value_of(*count, changed_);
         if (!before || !after || (*before == 0) == (*after == 0)) return;
-        auto change = change_of(std::string(count->path), before, after, *count, {});
+        auto change = change_of(count->path, before, after, *count, {});
         change->better = *before == 0;
         change->worse = *after == 0;
         change->is_deciding = change->decides = true;
@@ -182,8 +181,8 @@ QualityComparison compare_quality(const CellResult& base, const CellResult& chan
     for (const DecidingFigure& figure : deciding) {
         quality.compare(figure);
     }
-    for (const FigureDeclaration& figure : figures()) {
-        if (!is_time(figure)) quality.inform_of(figure);
+    for (const FigureDeclaration* figure : figures_of_both(base, changed)) {
+        if (!is_time(*figure)) quality.inform_of(*figure);
     }
     return quality.take();
 }

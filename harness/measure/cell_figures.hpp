@@ -1,29 +1,17 @@
 #pragma once
 
-#include "metrics/hit_errors.hpp"
-#include "metrics/image_errors.hpp"
-#include "metrics/shadow_errors.hpp"
-#include "reference/truth.hpp"
-#include "store/cell_result.hpp"
+#include "metrics/work.hpp"
+#include "store/cell_times.hpp"
 #include "technique/renderer.hpp"
 
-#include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace reliefbench {
 
-/// Per covered pixel; empty when nothing is covered. Taps and texels of vertex and tessellation stages are spread
-/// evenly over the covered pixels.
-std::optional<CellResult::Work> summarize_work(const Probe& probe);
-
-/// Adds the taps of self-shadowing.
-void add_shadow_work(CellResult::Work& work, const Probe& probe);
-
-CellResult::Errors to_errors(const HitErrors& errors);
-CellResult::ShadowErrors to_shadow_errors(const ShadowErrors& errors, const LightVisibility& truth);
-CellResult::ImageFields to_image_fields(const ImageComparison& comparison);
+/// Of the fragments and the stages before them; with the taps of self-shadowing where there is any. Empty when nothing
+/// is covered.
+std::optional<WorkSummary> summarize_work(const Probe& probe, bool self_shadow);
 
 /// Needs at least one round, each with a sample. Samples of one round are not independent of each other: the median and
 /// its interval are over the rounds' medians.

@@ -52,7 +52,7 @@ Preparation time_preparation(Renderer& renderer, const Configuration& configurat
 
 /// Why a picture that was drawn is not the technique's; empty where it is.
 std::string reason_to_fail(const gpu::Device& device, const Manifest& manifest, const ParameterValues& parameters,
-                           const Probe& probe, const std::optional<CellResult::Work>& work) {
+                           const Probe& probe, const std::optional<WorkSummary>& work) {
     const std::string cut = describe_cut_loops(device, probe);
     if (!cut.empty()) {
         return fmt::format("{}, so that neither its picture nor its time is the technique's; {}", cut,
@@ -164,25 +164,28 @@ PreparedOrSkipped prepare_cell(const gpu::Device& device, const Technique& techn
     }
     result.prepare_ms = preparation_ms(preparation);
     result.prepare_bytes = preparation.bytes;
-    result.work = summarize_work(probe);
-    result.reason = reason_to_fail(device, technique.manifest, cell.parameters, probe, result.work);
+    const bool self_shadow = view.self_shadow.mode != SelfShadow::Mode::off;
+    const std::optional<WorkSummary> work = summarize_work(probe, self_shadow);
+    if (work) result.figures.add(figures_of(*work));
+    result.reason = reason_to_fail(device, technique.manifest, cell.parameters, probe, work);
     if (!result.reason.empty()) result.status = CellStatus::failed;
     result.pipeline = renderer.pipeline_statistics();
     result.executable = renderer.executable_statistics();
     if (!inputs.has_truth(cell.view)) begin("tracing the truth");
     const Truth& truth = inputs.truth(cell.view);
     begin("comparing with the truth");
-    result.error = to_errors(compare_hits(probe.hits, truth.hits, truth.footprint, loaded.map, view.relief));
-    if (view.self_shadow.mode != SelfShadow::Mode::off) {
-        if (result.work) add_shadow_work(*result.work, probe);
-        const ShadowErrors shadow =
+    result.figures.add(figures_of(compare_hits(probe.hits, truth.hits, truth.footprint, loaded.map, view.relief)));
+    if (self_shadow) {
+        ShadowErrors shadow =
             compare_shadows(probe.light_visibility, probe.hits, truth.light_visibility.fractions, truth.hits,
                             truth.footprint, loaded.map, view.relief, configuration.lighting);
-        result.error->shadow = to_shadow_errors(shadow, truth.light_visibility);
+        shadow.truth_standard_error = truth.light_visibility.standard_error;
+        result.figures.add(figures_of(shadow));
     }
-    if (truth.front) result.error->wrong_surface = wrong_surface(*probe.front, *truth.front, truth.footprint);
-    result.image = to_image_fields(
-        compare_images(probe.colour, probe.hits, truth.colour, truth.hits, {truth.footprint, truth.background}));
+    if (truth.front)
+        result.figures.add(figures_of_wrong_surface(wrong_surface(*probe.front, *truth.front, truth.footprint)));
+    result.figures.add(figures_of(
+        compare_images(probe.colour, probe.hits, truth.colour, truth.hits, {truth.footprint, truth.background})));
     return {PreparedCell{std::move(renderer), std::move(result), std::move(preparation), std::move(probe)}, {}};
 }
 

@@ -30,12 +30,6 @@ struct FramePair {
     TruthMotion motion;
 };
 
-std::optional<CellResult::MotionFigure> to_figure(const MotionFigures& figures) {
-    const auto values = figures.values();
-    if (!values) return std::nullopt;
-    return CellResult::MotionFigure{values->mean, values->p95, values->max};
-}
-
 /// One cell followed from frame to frame.
 class FollowedCell {
 public:
@@ -60,9 +54,10 @@ public:
     }
 
     void finish() const {
-        subject_.result->motion = counts_;
-        subject_.result->motion->texels = to_figure(texels_);
-        subject_.result->motion->flip = to_figure(flip_);
+        MotionErrors errors = counts_;
+        errors.texels = texels_.values();
+        errors.flip = flip_.values();
+        subject_.result->figures.add(figures_of(errors));
     }
 
     void fail_with(const std::string& reason) const {
@@ -100,7 +95,8 @@ private:
     HitImage hits_;
     MotionFigures texels_;
     MotionFigures flip_;
-    CellResult::Motion counts_;
+    /// The counts alone.
+    MotionErrors counts_;
 };
 
 /// The next frame of every cell; an Error is the cell's own. False when told to end.

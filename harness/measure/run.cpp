@@ -8,6 +8,7 @@
 #include "measure/rounds.hpp"
 #include "measure/stopping_rule.hpp"
 #include "measure/time_estimate.hpp"
+#include "store/chosen_figures.hpp"
 #include "store/crashes.hpp"
 
 #include <fmt/format.h>
@@ -304,10 +305,8 @@ private:
         cell.result.stop = sampled.stop;
         cell.result.throttled_rounds = sampled.throttled_rounds;
         const auto draw = cell.result.time.find(draw_pass);
-        if (draw != cell.result.time.end() && cell.result.work) {
-            cell.result.ns_per_pixel =
-                draw->second.median_ms * 1e6 / static_cast<double>(cell.result.work->covered_pixels);
-        }
+        const std::optional<double> pixels = value_of(chosen_figures::covered_pixels, cell.result);
+        if (draw != cell.result.time.end() && pixels) cell.result.ns_per_pixel = draw->second.median_ms * 1e6 / *pixels;
         record(std::move(cell.result));
     }
 

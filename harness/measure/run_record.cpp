@@ -4,6 +4,7 @@
 #include "gpu/device.hpp"
 #include "manifest/parameter_json.hpp"
 #include "store/environment.hpp"
+#include "store/figures.hpp"
 #include "store/stored_format.hpp"
 #include "sweep/view_axes.hpp"
 #include "technique/renderer.hpp"
@@ -112,6 +113,7 @@ Json make_run_record(const RunSubject& subject) {
     record["height_maps"] = height_map_records(subject.height_maps);
     record["empty_pass"] = empty_pass_record(subject.device);
     record["filter_deviation"] = filter_deviations(subject.device, subject.height_maps);
+    record["figures"] = figures_to_json();
     return record;
 }
 

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "core/figure.hpp"
 #include "core/statistics.hpp"
 #include "scene/height_map.hpp"
 #include "scene/hit.hpp"
 #include "scene/relief.hpp"
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace reliefbench {
 
@@ -17,6 +20,11 @@ struct HitErrors {
     std::optional<Summary> depth;
     /// Angle between the shading normals, degrees.
     std::optional<Summary> normal_deg;
+    /// What these are of: each pixel compared, in the order of the image; depth signed.
+    struct ComparedPixels {
+        std::vector<double> uv_texels, depth, normal_deg;
+    };
+    ComparedPixels pixels;
     /// Pixels compared.
     std::size_t compared = 0;
     /// Pixels of the footprint F.
@@ -39,5 +47,8 @@ struct HitErrors {
 /// A technique's hit with a number that is not finite (a shader's division by zero) counts as a miss.
 HitErrors compare_hits(const HitImage& technique, const HitImage& truth, const FootprintImage& footprint,
                        const HeightMap& map, const Relief& relief);
+
+std::vector<FigureDeclaration> hit_error_figures();
+FigureValueList figures_of(const HitErrors& errors);
 
 }  // namespace reliefbench

@@ -12,6 +12,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
+#include <utility>
 
 namespace reliefbench {
 
@@ -127,6 +129,56 @@ Image<float> spread(const Image<Value>& part, const Footprint& footprint, const 
     return map;
 }
 
+/// Over no pixel an error is undefined, not missing.
+template <auto Part, auto Member>
+std::optional<double> error_of(const ImageComparison& comparison) {
+    return (comparison.*Part.*Member).value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+FigureDeclaration of_picture(std::string path, std::string label, std::string unit, Better better) {
+    return {.path = std::move(path),
+            .label = std::move(label),
+            .unit = std::move(unit),
+            .better = better,
+            .needs = {std::string(figure_needs::truth), std::string(figure_needs::lighting)}};
+}
+
+/// A PSNR that is null has no error beside it.
+FigureDeclaration psnr_figure(std::string path, std::string label, std::string rmse) {
+    FigureDeclaration figure = of_picture(std::move(path), std::move(label), "dB", Better::higher);
+    figure.infinite_at_zero = std::move(rmse);
+    return figure;
+}
+
+/// Runs of version 0.1.0 have figures of the whole picture only.
+FigureDeclaration over_footprint(FigureDeclaration figure, std::string of_whole) {
+    figure.stand_in = std::move(of_whole);
+    return figure;
+}
+
+const std::vector<FigureOf<ImageComparison>>& image_error_table() {
+    constexpr Better lower = Better::lower;
+    constexpr Better higher = Better::higher;
+    constexpr auto whole = &ImageComparison::whole;
+    constexpr auto footprint = &ImageComparison::footprint;
+    using Errors = ImageErrors;
+    static const std::vector<FigureOf<ImageComparison>> table = {
+        {of_picture("image.flip", "FLIP, whole picture", "", lower), error_of<whole, &Errors::flip>},
+        {psnr_figure("image.psnr", "PSNR, whole picture", "image.rmse"), error_of<whole, &Errors::psnr>},
+        {of_picture("image.ssim", "SSIM, whole picture", "", higher), error_of<whole, &Errors::ssim>},
+        {of_picture("image.rmse", "RMSE, whole picture", "", lower), error_of<whole, &Errors::rmse>},
+        {over_footprint(of_picture("image.footprint.flip", "FLIP, footprint", "", lower), "image.flip"),
+         error_of<footprint, &Errors::flip>},
+        {over_footprint(psnr_figure("image.footprint.psnr", "PSNR, footprint", "image.footprint.rmse"), "image.psnr"),
+         error_of<footprint, &Errors::psnr>},
+        {over_footprint(of_picture("image.footprint.ssim", "SSIM, footprint", "", higher), "image.ssim"),
+         error_of<footprint, &Errors::ssim>},
+        {over_footprint(of_picture("image.footprint.rmse", "RMSE, footprint", "", lower), "image.rmse"),
+         error_of<footprint, &Errors::rmse>},
+    };
+    return table;
+}
+
 }  // namespace
 
 ImageComparison compare_images(const Colours& technique, const HitImage& technique_hits, const Colours& truth,
@@ -150,6 +202,14 @@ ImageComparison compare_images(const Colours& technique, const HitImage& techniq
                                            flip_map(pictures.technique, pictures.truth));
     }
     return comparison;
+}
+
+std::vector<FigureDeclaration> image_error_figures() {
+    return declarations_in(image_error_table());
+}
+
+FigureValueList figures_of(const ImageComparison& comparison) {
+    return values_in(image_error_table(), comparison);
 }
 
 Image<float> footprint_flip_map(const Colours& technique, const Colours& truth, const Footprint& footprint) {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "core/figure.hpp"
 #include "metrics/footprint.hpp"
 #include "scene/hit.hpp"
 #include "scene/image.hpp"
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace reliefbench {
 
@@ -34,6 +36,9 @@ struct ImageComparison {
 ImageComparison compare_images(const Image<std::array<float, 3>>& technique, const HitImage& technique_hits,
                                const Image<std::array<float, 3>>& truth, const HitImage& truth_hits,
                                const Footprint& footprint);
+
+std::vector<FigureDeclaration> image_error_figures();
+FigureValueList figures_of(const ImageComparison& comparison);
 
 /// What FLIP and SSIM (the mean of the three encoded channels) of ImageComparison::footprint are means of; not a number
 /// outside F. Linear RGB.

@@ -132,6 +132,66 @@ std::optional<HitDifference> landed_difference(const Landing& landing, const Hit
     return mean;
 }
 
+template <auto Change, auto Member>
+std::optional<double> of_change(const MotionErrors& errors) {
+    const std::optional<MotionFigures::Values>& values = errors.*Change;
+    return values ? std::optional((*values).*Member) : std::nullopt;
+}
+
+template <auto Member>
+std::optional<double> count_of_pixels(const MotionErrors& errors) {
+    return static_cast<double>(errors.*Member);
+}
+
+FigureDeclaration between_frames(std::string path, std::string label, std::string unit, Better better) {
+    return {.path = std::move(path),
+            .label = std::move(label),
+            .unit = std::move(unit),
+            .better = better,
+            .needs = {std::string(figure_needs::truth), std::string(figure_needs::motion)}};
+}
+
+FigureDeclaration of_texels(std::string path, std::string label) {
+    FigureDeclaration figure = between_frames(std::move(path), std::move(label), "texels", Better::lower);
+    figure.over = "motion.compared";
+    return figure;
+}
+
+FigureDeclaration of_pictures(std::string path, std::string label) {
+    FigureDeclaration figure = between_frames(std::move(path), std::move(label), "", Better::lower);
+    figure.needs.emplace_back(figure_needs::lighting);
+    return figure;
+}
+
+FigureDeclaration pixels_of_pairs(std::string path, std::string label, Better better) {
+    FigureDeclaration figure = between_frames(std::move(path), std::move(label), "pixels", better);
+    figure.is_count = true;
+    return figure;
+}
+
+const std::vector<FigureOf<MotionErrors>>& motion_table() {
+    constexpr auto texels = &MotionErrors::texels;
+    constexpr auto flip = &MotionErrors::flip;
+    using Values = MotionFigures::Values;
+    static const std::vector<FigureOf<MotionErrors>> table = {
+        {of_texels("motion.texels.mean", "Change of the UV error between frames, mean"),
+         of_change<texels, &Values::mean>},
+        {of_texels("motion.texels.p95", "Change of the UV error between frames, p95"), of_change<texels, &Values::p95>},
+        {of_texels("motion.texels.max", "Change of the UV error between frames, maximum"),
+         of_change<texels, &Values::max>},
+        {of_pictures("motion.flip.mean", "FLIP between frames, mean"), of_change<flip, &Values::mean>},
+        {of_pictures("motion.flip.p95", "FLIP between frames, p95"), of_change<flip, &Values::p95>},
+        {of_pictures("motion.flip.max", "FLIP between frames, maximum"), of_change<flip, &Values::max>},
+        {pixels_of_pairs("motion.compared", "Pixels of pairs of frames compared", Better::neither),
+         count_of_pixels<&MotionErrors::compared>},
+        {pixels_of_pairs("motion.hit_once", "Pixels hit in one of two frames only", Better::lower),
+         count_of_pixels<&MotionErrors::hit_once>},
+        {pixels_of_pairs("motion.unseen", "Pixels seen in one of two frames only", Better::neither),
+         count_of_pixels<&MotionErrors::unseen>},
+    };
+    return table;
+}
+
 }  // namespace
 
 TruthMotion follow_truth(const TruthFrame& first, const TruthFrame& second, const Relief& relief) {
@@ -198,6 +258,14 @@ std::optional<MotionFigures::Values> MotionFigures::values() const {
     if (pairs_ == 0) return std::nullopt;
     const auto pairs = static_cast<double>(pairs_);
     return Values{sums_.mean / pairs, sums_.p95 / pairs, sums_.max};
+}
+
+std::vector<FigureDeclaration> motion_figures() {
+    return declarations_in(motion_table());
+}
+
+FigureValueList figures_of(const MotionErrors& errors) {
+    return values_in(motion_table(), errors);
 }
 
 }  // namespace reliefbench

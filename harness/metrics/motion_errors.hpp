@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/figure.hpp"
 #include "scene/camera.hpp"
 #include "scene/height_map.hpp"
 #include "scene/hit.hpp"
@@ -82,5 +83,16 @@ private:
     std::size_t pairs_ = 0;
     Values sums_;
 };
+
+/// Of all pairs of neighbouring frames.
+struct MotionErrors {
+    /// Change of the UV error, in texels, and FLIP between the frames; empty when no pair had a value.
+    std::optional<MotionFigures::Values> texels, flip;
+    /// Pixels: compared; seen in both frames and hit in one only; of F and not seen in the next frame.
+    std::size_t compared = 0, hit_once = 0, unseen = 0;
+};
+
+std::vector<FigureDeclaration> motion_figures();
+FigureValueList figures_of(const MotionErrors& errors);
 
 }  // namespace reliefbench

@@ -6,6 +6,8 @@
 
 #include <cassert>
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace reliefbench {
 
@@ -13,6 +15,43 @@ namespace {
 
 /// A difference in visibility that counts as a shadow where there is none, or none where there is one.
 constexpr double wrong_by = 0.5;
+
+/// Over the visibilities compared.
+FigureDeclaration of_visibility(std::string path, std::string label, std::string unit, Better better) {
+    return {.path = std::move(path),
+            .label = std::move(label),
+            .unit = std::move(unit),
+            .better = better,
+            .needs = {std::string(figure_needs::truth), std::string(figure_needs::lighting),
+                      std::string(figure_needs::self_shadow)},
+            .over = "error.shadow.compared"};
+}
+
+FigureDeclaration visibility_count() {
+    FigureDeclaration figure = of_visibility("error.shadow.compared", "Visibilities compared", "", Better::neither);
+    figure.is_count = true;
+    figure.over.clear();
+    return figure;
+}
+
+const std::vector<FigureOf<ShadowErrors>>& shadow_error_table() {
+    constexpr const char* visibility = "visibility";
+    constexpr Better lower = Better::lower;
+    using Errors = ShadowErrors;
+    static const std::vector<FigureOf<Errors>> table = {
+        {of_visibility("error.shadow.mean", "Shadow error, mean", visibility, lower),
+         [](const Errors& errors) { return std::optional(errors.mean); }},
+        {of_visibility("error.shadow.false_shadow", "False shadow", visibility, lower),
+         [](const Errors& errors) { return std::optional(errors.false_shadow); }},
+        {of_visibility("error.shadow.missed_shadow", "Missed shadow", visibility, lower),
+         [](const Errors& errors) { return std::optional(errors.missed_shadow); }},
+        {visibility_count(), [](const Errors& errors) { return std::optional(static_cast<double>(errors.compared)); }},
+        {of_visibility("error.shadow.truth_standard_error", "Standard error of the truth's soft shadows", visibility,
+                       Better::neither),
+         [](const Errors& errors) { return errors.truth_standard_error; }},
+    };
+    return table;
+}
 
 }  // namespace
 
@@ -46,6 +85,14 @@ ShadowErrors compare_shadows(const VisibilityImage& technique, const HitImage& t
     errors.false_shadow = static_cast<double>(darker) / compared;
     errors.missed_shadow = static_cast<double>(lighter) / compared;
     return errors;
+}
+
+std::vector<FigureDeclaration> shadow_error_figures() {
+    return declarations_in(shadow_error_table());
+}
+
+FigureValueList figures_of(const ShadowErrors& errors) {
+    return values_in(shadow_error_table(), errors);
 }
 
 }  // namespace reliefbench

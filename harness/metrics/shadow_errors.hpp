@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/figure.hpp"
 #include "scene/height_map.hpp"
 #include "scene/hit.hpp"
 #include "scene/lighting.hpp"
@@ -7,6 +8,8 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace reliefbench {
 
@@ -24,10 +27,15 @@ struct ShadowErrors {
     double missed_shadow = 0;
     /// Pixels and lights compared; without any, all errors are 0.
     std::size_t compared = 0;
+    /// Of the truth's soft shadows, averaged over their penumbrae, for whoever traced them to set; empty for hard ones.
+    std::optional<double> truth_standard_error = {};
 };
 
 ShadowErrors compare_shadows(const VisibilityImage& technique, const HitImage& technique_hits,
                              const VisibilityImage& truth, const HitImage& truth_hits, const FootprintImage& footprint,
                              const HeightMap& map, const Relief& relief, const Lighting& lighting);
+
+std::vector<FigureDeclaration> shadow_error_figures();
+FigureValueList figures_of(const ShadowErrors& errors);
 
 }  // namespace reliefbench

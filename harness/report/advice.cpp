@@ -3,6 +3,7 @@
 #include "compare/deciding_figures.hpp"
 #include "core/error.hpp"
 #include "report/quality_cost.hpp"
+#include "store/chosen_figures.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -14,7 +15,6 @@ namespace reliefbench {
 
 namespace {
 
-constexpr std::string_view cost_path = "time.draw.median_ms";
 constexpr std::size_t next_steps = 3;
 /// Axes that whoever asks does not choose: which material is seen, and from which side.
 constexpr std::string_view pooled_axes[] = {"heightmap", "azimuth"};
@@ -37,10 +37,11 @@ std::optional<double> pixels_of(const Json& resolution) {
 }
 
 std::optional<double> relief_share(const CellResult& cell) {
-    if (!cell.work || !cell.axes.is_object() || !cell.axes.contains("resolution")) return std::nullopt;
+    const std::optional<double> covered = value_of(chosen_figures::covered_pixels, cell);
+    if (!covered || !cell.axes.is_object() || !cell.axes.contains("resolution")) return std::nullopt;
     const std::optional<double> pixels = pixels_of(cell.axes["resolution"]);
     if (!pixels) return std::nullopt;
-    return static_cast<double>(cell.work->covered_pixels) / *pixels;
+    return *covered / *pixels;
 }
 
 bool is_measured(const CellResult& cell) {
@@ -128,7 +129,7 @@ public:
 
 private:
     bool has_all_figures(const CellResult& cell) const {
-        const auto lacks = [&](const FigureDeclaration* figure) { return !figure->value(cell); };
+        const auto lacks = [&](const FigureDeclaration* figure) { return !value_of(*figure, cell); };
         return wrong_hits(cell) && !lacks(request_.rank_by) &&
                std::ranges::none_of(request_.limits, lacks, &AdviceLimit::figure);
     }
@@ -152,7 +153,7 @@ private:
             }
             for (std::size_t at = 0; at < advice_.figures.size(); ++at) {
                 const FigureDeclaration& figure = *advice_.figures[at];
-                const std::optional<double> value = figure.value(*cell);
+                const std::optional<double> value = value_of(figure, *cell);
                 std::optional<double>& known = worst.figures[at];
                 if (value && (!known || is_better(*known, *value, figure.better))) known = value;
             }
@@ -170,11 +171,11 @@ private:
         settings_.push_back(std::move(setting));
     }
 
-    double value_of(const AdvisedSetting& setting, const FigureDeclaration& figure) const {
+    double worst_value(const AdvisedSetting& setting, const FigureDeclaration& figure) const {
         const auto at = std::ranges::find(advice_.figures, &figure) - advice_.figures.begin();
         return *setting.figures[static_cast<std::size_t>(at)];
     }
-    double rank(const AdvisedSetting& setting) const { return value_of(setting, *request_.rank_by); }
+    double rank(const AdvisedSetting& setting) const { return worst_value(setting, *request_.rank_by); }
     bool ranks_before(const AdvisedSetting& a, const AdvisedSetting& b) const {
         return is_better(rank(a), rank(b), request_.rank_by->better);
     }
@@ -183,7 +184,7 @@ private:
     }
 
     bool keeps_to(const AdvisedSetting& setting, const AdviceLimit& limit) const {
-        return !is_better(limit.value, value_of(setting, *limit.figure), limit.figure->better);
+        return !is_better(limit.value, worst_value(setting, *limit.figure), limit.figure->better);
     }
     bool keeps_to_limits(const AdvisedSetting& setting) const {
         return std::ranges::all_of(request_.limits, [&](const AdviceLimit& limit) { return keeps_to(setting, limit); });
@@ -225,7 +226,7 @@ private:
 
     /// By how many times the figure is beyond its limit; at most 1 within it.
     double excess(const AdvisedSetting& setting, const AdviceLimit& limit) const {
-        const double value = value_of(setting, *limit.figure);
+        const double value = worst_value(setting, *limit.figure);
         const bool lower = limit.figure->better == Better::lower;
         const double above = lower ? value : limit.value;
         const double below = lower ? limit.value : value;
@@ -288,12 +289,6 @@ private:
     ViewAdvice answer_;
 };
 
-const FigureDeclaration& figure_at(std::string_view path) {
-    const FigureDeclaration* const figure = find_figure(path);
-    assert(figure != nullptr);
-    return *figure;
-}
-
 std::vector<const FigureDeclaration*> figures_shown(const AdviceRequest& request, RankingFlip flip) {
     std::vector<const FigureDeclaration*> figures;
     const auto add = [&](const FigureDeclaration& figure) {
@@ -303,21 +298,21 @@ std::vector<const FigureDeclaration*> figures_shown(const AdviceRequest& request
     for (const AdviceLimit& limit : request.limits) {
         add(*limit.figure);
     }
-    add(figure_at("error.uv_texels.p99"));
-    add(figure_at(path_of(flip)));
+    add(known_figure(chosen_figures::quality));
+    add(known_figure(path_of(flip)));
     return figures;
 }
 
 }  // namespace
 
 const AdviceLimit* budget_of(const AdviceRequest& request) {
-    const auto budget =
-        std::ranges::find_if(request.limits, [](const AdviceLimit& limit) { return limit.figure->path == cost_path; });
+    const auto budget = std::ranges::find_if(
+        request.limits, [](const AdviceLimit& limit) { return limit.figure->path == chosen_figures::cost; });
     return budget == request.limits.end() ? nullptr : &*budget;
 }
 
 const FigureDeclaration& ranking_figure(const std::vector<CellResult>& cells) {
-    return figure_at(path_of(ranking_flip(cells)));
+    return known_figure(path_of(ranking_flip(cells)));
 }
 
 Advice advise(const std::vector<CellResult>& cells, const AdviceRequest& request) {
@@ -325,7 +320,7 @@ Advice advise(const std::vector<CellResult>& cells, const AdviceRequest& request
     advice.figures = figures_shown(request, advice.flip);
     const auto require = [&](const FigureDeclaration& figure) {
         if (std::ranges::none_of(cells,
-                                 [&](const CellResult& cell) { return is_measured(cell) && figure.value(cell); }))
+                                 [&](const CellResult& cell) { return is_measured(cell) && value_of(figure, cell); }))
             fail("no measured cell of the run has {}", figure.path);
     };
     require(*request.rank_by);

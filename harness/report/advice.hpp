@@ -21,7 +21,7 @@ struct AdviceLimit {
 };
 
 struct AdviceRequest {
-    /// All must be kept; on time.draw.median_ms it is the budget. Figures with a direction only.
+    /// All must be kept; on chosen_figures::cost it is the budget. Figures with a direction only.
     std::vector<AdviceLimit> limits;
     /// Ranks what keeps to them; with a direction, of error, image or motion.
     const FigureDeclaration* rank_by = nullptr;
@@ -34,7 +34,7 @@ struct AdvisedSetting {
     double ms = 0;
     /// Of that view's time.
     Interval ci95_ms;
-    /// time.ns_per_pixel.
+    /// Per covered pixel.
     std::optional<double> ns_per_pixel;
     /// Covered pixels over all pixels of the picture: least and greatest of the views.
     std::optional<Interval> relief_share;

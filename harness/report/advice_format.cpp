@@ -6,6 +6,7 @@
 #include "report/figure_rows.hpp"
 #include "report/figure_text.hpp"
 #include "report/text_layout.hpp"
+#include "store/chosen_figures.hpp"
 #include "store/view_variants.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@ constexpr std::string_view advice_legend =
     "ms: median of the draw in the worst view; ns/pixel: per covered pixel; errors are those of the worst view";
 
 bool is_draw_time(const FigureDeclaration& figure) {
-    return figure.path == "time.draw.median_ms";
+    return figure.path == chosen_figures::cost;
 }
 
 std::string with_unit(double value, const FigureDeclaration& figure) {
@@ -108,7 +109,7 @@ std::string table_of(const Advice& advice, const ViewAdvice& view, std::size_t c
     for (const FigureDeclaration* figure : advice.figures) {
         if (is_draw_time(*figure)) continue;
         const std::string unit = figure_unit_text(figure->unit);
-        titles.push_back({std::string(figure->label) + (unit.empty() ? "" : fmt::format(" ({})", unit.substr(1)))});
+        titles.push_back({figure->label + (unit.empty() ? "" : fmt::format(" ({})", unit.substr(1)))});
     }
     std::vector<std::vector<std::string>> figures;
     std::vector<std::string> settings;
@@ -197,7 +198,7 @@ Json to_json(const Advice& advice, const AdvisedSetting& setting) {
     json["wrong_hits"] = finite_or_null(setting.wrong_hits);
     json["figures"] = Json::object();
     for (std::size_t at = 0; at < advice.figures.size(); ++at) {
-        json["figures"][std::string(advice.figures[at]->path)] = finite_or_null(setting.figures[at]);
+        json["figures"][advice.figures[at]->path] = finite_or_null(setting.figures[at]);
     }
     return json;
 }

@@ -2,7 +2,9 @@
 
 #include "core/counted.hpp"
 #include "report/quality_cost.hpp"
+#include "report/ranking.hpp"
 #include "report/text_layout.hpp"
+#include "store/chosen_figures.hpp"
 
 #include <fmt/format.h>
 
@@ -38,10 +40,11 @@ std::string caution_of_ties(const std::vector<CellResult>& cells) {
     std::set<std::string> views;
     std::pair<double, std::string> most;
     for (const CellResult& cell : cells) {
-        if (!cell.error || cell.error->ties.value_or(0) <= many_ties) continue;
+        const double ties = value_of(chosen_figures::ties, cell).value_or(0);
+        if (ties <= many_ties) continue;
         const std::string view = split_cell_id(cell.cell).second;
         views.insert(view);
-        most = std::max(most, {*cell.error->ties, view});
+        most = std::max(most, {ties, view});
     }
     if (views.empty()) return "";
     return fmt::format(
@@ -55,7 +58,7 @@ std::string caution_of_ties(const std::vector<CellResult>& cells) {
 std::string caution_of_axes(const std::vector<CellResult>& cells) {
     bool any = false;
     for (const CellResult& cell : cells) {
-        if (!cell.error || is_head_on(cell)) continue;
+        if (!wrong_hits(cell) || is_head_on(cell)) continue;
         if (!has_rays_along_texels(cell)) return "";
         any = true;
     }

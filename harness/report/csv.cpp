@@ -5,6 +5,8 @@
 #include "report/flat_fields.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <memory>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
@@ -15,20 +17,12 @@ namespace reliefbench {
 
 namespace {
 
-/// With everything that is always there, so that columns do not depend on which cells failed.
-CellResult complete_cell() {
-    CellResult cell;
+/// With everything that a cell may have, so that columns do not depend on which cells failed.
+CellResult complete_cell(const std::shared_ptr<const FigureList>& figures) {
+    CellResult cell(figures);
     cell.time[draw_pass] = {};
-    cell.work = CellResult::Work{};
-    CellResult::Errors errors;
-    errors.uv_texels = errors.depth = errors.normal_deg = Summary{};
-    errors.shadow = CellResult::ShadowErrors{};
-    cell.error = errors;
-    cell.image = CellResult::ImageFields{};
-    cell.image->footprint = CellResult::FootprintFields{};
-    CellResult::Motion motion;
-    motion.texels = motion.flip = CellResult::MotionFigure{};
-    cell.motion = motion;
+    for (std::size_t index = 0; index < figures->all().size(); ++index)
+        cell.figures.set(index, std::numeric_limits<double>::quiet_NaN());
     return cell;
 }
 
@@ -133,7 +127,7 @@ std::string format_csv(const Run& run) {
             found[begin / cells_at_a_time].add(run.cells[cell]);
     });
     Columns columns;
-    columns.add(complete_cell());
+    columns.add(complete_cell(run.figures));
     for (const Columns& part : found)
         columns.add(part);
     const std::vector<std::string> names = columns.names();

@@ -2,6 +2,7 @@
 
 #include "core/counted.hpp"
 #include "report/text_layout.hpp"
+#include "store/chosen_figures.hpp"
 
 #include <fmt/format.h>
 
@@ -12,10 +13,10 @@ namespace {
 std::string extra_of(const CellResult& cell, const PassTiming& draw) {
     std::string extra = fmt::format("95 % interval of the median: {} to {} ms\n{}", significant(draw.ci95_ms.low, 4),
                                     significant(draw.ci95_ms.high, 4), counted(draw.n, "sample"));
-    if (cell.work) extra += fmt::format("\n{} taps per pixel", significant(cell.work->taps_mean));
-    if (cell.error && cell.error->uv_texels) {
-        extra += fmt::format("\nUV error p99: {} texels", significant(cell.error->uv_texels->p99));
-    }
+    if (const auto taps = value_of(chosen_figures::taps, cell))
+        extra += fmt::format("\n{} taps per pixel", significant(*taps));
+    if (const auto uv = value_of(chosen_figures::quality, cell))
+        extra += fmt::format("\nUV error p99: {} texels", significant(*uv));
     return extra;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/parallel.hpp"
 #include "core/statistics.hpp"
+#include "report/benchmark_counters.hpp"
 #include "store/device_share.hpp"
 
 #include <algorithm>
@@ -19,21 +20,6 @@ constexpr const char* time_unit = "ns";
 constexpr double ns_per_ms = 1e6;
 
 using Counters = std::vector<std::pair<std::string, double>>;
-
-/// Under the names that `reliefbench bench` gives them.
-Counters counters_of(const CellResult& cell) {
-    Counters counters;
-    const auto add = [&](const char* name, double value) {
-        if (std::isfinite(value)) counters.emplace_back(name, value);
-    };
-    if (cell.work) add("taps", cell.work->taps_mean);
-    if (cell.error) {
-        if (cell.error->uv_texels) add("uv_error_p99_texels", cell.error->uv_texels->p99);
-        add("missed_and_false_hits", cell.error->missed + cell.error->false_hits);
-    }
-    if (cell.prepare_bytes) add("prepare_bytes", static_cast<double>(*cell.prepare_bytes));
-    return counters;
-}
 
 /// A member of the run's record, or null.
 Json member(const Json& record, const char* object, const char* key) {
@@ -140,7 +126,7 @@ Json benchmarks_of(const CellResult& cell, std::size_t family, const RoundMedian
         time *= ns_per_ms;
     }
     const std::size_t samples = std::max<std::size_t>(1, draw.n / times.size());
-    const Counters counters = counters_of(cell);
+    const Counters counters = benchmark_counters(cell);
     Json benchmarks = Json::array();
     add_repetitions(benchmarks, cell.cell, family, times, samples * static_cast<std::size_t>(draw.repeats), counters);
     if (times.size() > 1) add_aggregates(benchmarks, cell.cell, family, times, counters);

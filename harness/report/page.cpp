@@ -55,6 +55,7 @@ Json run_to_json(const PageRun& run) {
     Json json;
     json["name"] = run.stored.name;
     json["record"] = run.stored.run.run;
+    json["record"].erase("figures");  // the page has one list for all runs
     json["summary"] = run.summary ? *run.summary : Json(nullptr);
     json["cautions"] = cautions(run.stored.run.cells);
     json["cells"] = cells_to_columns(run.stored.run.cells);
@@ -82,11 +83,19 @@ Json comparison_to_page(const PageComparison& comparison, const std::vector<Page
     return json;
 }
 
-/// With the changes that can be told, by which verdicts decide.
-Json figures_to_page() {
-    Json list = figures_to_json();
-    for (std::size_t at = 0; at < figures().size(); ++at) {
-        const FigureTolerance tolerance = tolerance_of(figures()[at]);
+/// Of this version, and what a later one declared in a run; each with the change that can be told, by which verdicts
+/// decide.
+Json figures_to_page(const std::vector<PageRun>& runs) {
+    std::vector<FigureDeclaration> all(figures().begin(), figures().end());
+    for (const PageRun& run : runs) {
+        for (const FigureDeclaration& figure : run.stored.run.figures->all()) {
+            const bool known = std::ranges::find(all, figure.path, &FigureDeclaration::path) != all.end();
+            if (!known) all.push_back(figure);
+        }
+    }
+    Json list = figures_to_json(all);
+    for (std::size_t at = 0; at < all.size(); ++at) {
+        const FigureTolerance tolerance = tolerance_of(all[at]);
         list[at]["tolerance"] = {{"absolute", tolerance.absolute}, {"relative", tolerance.relative}};
     }
     return list;
@@ -98,7 +107,7 @@ Json page_data(const std::vector<PageRun>& runs, const Json& pictures, const std
                std::string_view tool_version) {
     Json json;
     json["tool_version"] = tool_version;
-    json["figures"] = figures_to_page();
+    json["figures"] = figures_to_page(runs);
     json["runs"] = Json::array();
     for (const PageRun& run : runs) {
         json["runs"].push_back(run_to_json(run));

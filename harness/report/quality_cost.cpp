@@ -1,7 +1,9 @@
 #include "report/quality_cost.hpp"
 
+#include "report/figure_text.hpp"
 #include "report/merged_reason.hpp"
 #include "report/text_layout.hpp"
+#include "store/chosen_figures.hpp"
 #include "store/view_variants.hpp"
 
 #include <fmt/format.h>
@@ -18,29 +20,29 @@ namespace {
 
 /// What the Pareto front weighs against each other.
 const FigureDeclaration& front_cost() {
-    static const FigureDeclaration& figure = *find_figure("time.draw.median_ms");
+    static const FigureDeclaration& figure = known_figure(chosen_figures::cost);
     return figure;
 }
 const FigureDeclaration& front_quality() {
-    static const FigureDeclaration& figure = *find_figure("error.uv_texels.p99");
+    static const FigureDeclaration& figure = known_figure(chosen_figures::quality);
     return figure;
 }
 
 double sorting_ms(const CellResult& cell) {
-    return front_cost().value(cell).value_or(std::numeric_limits<double>::infinity());
+    return value_of(front_cost(), cell).value_or(std::numeric_limits<double>::infinity());
 }
 
 /// Whether the cell takes part in the front.
 bool is_ranked(const CellResult& cell) {
-    return hits_within_limit(cell) && front_quality().value(cell) && front_cost().value(cell);
+    return hits_within_limit(cell) && value_of(front_quality(), cell) && value_of(front_cost(), cell);
 }
 
 /// Both are ranked.
 bool dominates(const CellResult& other, const CellResult& cell) {
     bool better = false;
     for (const FigureDeclaration* figure : {&front_cost(), &front_quality()}) {
-        const double theirs = *figure->value(other);
-        const double its_own = *figure->value(cell);
+        const double theirs = *value_of(*figure, other);
+        const double its_own = *value_of(*figure, cell);
         if (is_better(its_own, theirs, figure->better)) return false;
         better = better || is_better(theirs, its_own, figure->better);
     }
@@ -49,7 +51,7 @@ bool dominates(const CellResult& other, const CellResult& cell) {
 
 char mark_of(const QualityCostRow& row, const std::vector<QualityCostRow>& rows) {
     const CellResult& cell = *row.cell;
-    if (cell.error && !hits_within_limit(cell)) return '!';
+    if (wrong_hits(cell) && !hits_within_limit(cell)) return '!';
     if (!is_ranked(cell)) return ' ';
     const bool dominated = std::any_of(rows.begin(), rows.end(), [&](const QualityCostRow& other) {
         return other.variant == row.variant && is_ranked(*other.cell) && dominates(*other.cell, cell);
@@ -69,45 +71,44 @@ std::string format_timing(const CellResult& cell) {
     return fmt::format("{} ± {:.{}f}", ms, draw->mad_ms, decimals);
 }
 
-/// Figures that only some runs have.
-struct OptionalColumns {
-    bool shadow = false;
-    bool motion = false;
+struct TableColumn {
+    const char* title;
+    std::string_view figure;
+    /// Only where a cell has it.
+    bool is_optional = false;
 };
 
-OptionalColumns optional_columns(const std::vector<CellResult>& cells) {
-    OptionalColumns columns;
-    for (const CellResult& cell : cells) {
-        columns.shadow = columns.shadow || (cell.error && cell.error->shadow);
-        columns.motion = columns.motion || cell.motion;
+std::vector<QualityCostColumn> columns_of(RankingFlip flip, const std::vector<CellResult>& cells) {
+    using namespace chosen_figures;
+    const TableColumn all[] = {{"ms", cost},
+                               {"ns/pixel", ns_per_pixel},
+                               {"taps", taps},
+                               {"prep ms", preparation},
+                               {"uv p50", median_uv},
+                               {"uv p99", quality},
+                               {"depth p99", depth},
+                               {"flip", path_of(flip)},
+                               {"missed %", missed},
+                               {"false %", false_hits},
+                               {"shadow taps", shadow_taps, true},
+                               {"shadow", shadow, true},
+                               {"motion", motion, true}};
+    std::vector<QualityCostColumn> columns;
+    for (const TableColumn& column : all) {
+        const FigureDeclaration& figure = known_figure(column.figure);
+        const bool is_shown =
+            !column.is_optional ||
+            std::any_of(cells.begin(), cells.end(), [&](const CellResult& cell) { return value_of(figure, cell); });
+        if (is_shown) columns.push_back({column.title, &figure});
     }
-    return columns;
-}
-
-std::vector<QualityCostColumn> columns_of(RankingFlip flip, const OptionalColumns& with) {
-    std::vector<QualityCostColumn> columns = {{"ms", &front_cost()},
-                                              {"ns/pixel", find_figure("time.ns_per_pixel")},
-                                              {"taps", find_figure("work.taps_mean")},
-                                              {"prep ms", find_figure("prepare.ms")},
-                                              {"uv p50", find_figure("error.uv_texels.p50")},
-                                              {"uv p99", &front_quality()},
-                                              {"depth p99", find_figure("error.depth.p99")},
-                                              {"flip", find_figure(path_of(flip))},
-                                              {"missed %", find_figure("error.missed")},
-                                              {"false %", find_figure("error.false_hits")}};
-    if (with.shadow) {
-        columns.push_back({"shadow taps", find_figure("work.shadow_taps_mean")});
-        columns.push_back({"shadow", find_figure("error.shadow.mean")});
-    }
-    if (with.motion) columns.push_back({"motion", find_figure("motion.texels.mean")});
     return columns;
 }
 
 /// Fractions per cent.
 QualityCostFigure figure_of(const FigureDeclaration& figure, const CellResult& cell) {
-    std::optional<double> value = figure.value(cell);
+    std::optional<double> value = value_of(figure, cell);
     if (!value) return {undefined, value};
-    if (figure.unit.starts_with("fraction")) *value *= 100;
+    value = figure_as_shown(*value, figure.unit);
     return {&figure == &front_cost() ? format_timing(cell) : significant(*value), value};
 }
 
@@ -148,7 +149,7 @@ std::pair<std::string, std::string> split_cell_id(const std::string& id) {
 
 QualityCostTable quality_cost_table(const std::vector<CellResult>& cells) {
     const RankingFlip flip = ranking_flip(cells);
-    QualityCostTable table{.columns = columns_of(flip, optional_columns(cells)), .views = {}, .flip = flip};
+    QualityCostTable table{.columns = columns_of(flip, cells), .views = {}, .flip = flip};
     const std::vector<ViewVariant> variants = view_variants(cells);
     for (std::size_t at = 0; at < cells.size(); ++at) {
         const CellResult& cell = cells[at];

@@ -1,12 +1,15 @@
 #include "report/ranking.hpp"
 
+#include "store/chosen_figures.hpp"
+
 #include <algorithm>
 
 namespace reliefbench {
 
 std::optional<double> wrong_hits(const CellResult& cell) {
-    if (!cell.error) return std::nullopt;
-    return cell.error->missed + cell.error->false_hits;
+    const std::optional<double> missed = value_of(chosen_figures::missed, cell);
+    const std::optional<double> false_hits = value_of(chosen_figures::false_hits, cell);
+    return missed && false_hits ? std::optional(*missed + *false_hits) : std::nullopt;
 }
 
 bool hits_within_limit(const CellResult& cell) {
@@ -20,19 +23,16 @@ const PassTiming* draw_timing(const CellResult& cell) {
 }
 
 RankingFlip ranking_flip(const std::vector<CellResult>& cells) {
-    const bool lacking = std::any_of(cells.begin(), cells.end(),
-                                     [](const CellResult& cell) { return cell.image && !cell.image->footprint; });
+    const FigureDeclaration& whole = known_figure(chosen_figures::flip_of_whole_picture);
+    const FigureDeclaration& footprint = known_figure(chosen_figures::flip);
+    const bool lacking = std::any_of(cells.begin(), cells.end(), [&](const CellResult& cell) {
+        return is_given(whole, cell) && !is_given(footprint, cell);
+    });
     return lacking ? RankingFlip::whole : RankingFlip::footprint;
 }
 
-std::optional<double> flip_of(const CellResult& cell, RankingFlip flip) {
-    if (!cell.image) return std::nullopt;
-    if (flip == RankingFlip::whole) return cell.image->flip;
-    return cell.image->footprint ? cell.image->footprint->flip : std::nullopt;
-}
-
 std::string_view path_of(RankingFlip flip) {
-    return flip == RankingFlip::whole ? "image.flip" : "image.footprint.flip";
+    return flip == RankingFlip::whole ? chosen_figures::flip_of_whole_picture : chosen_figures::flip;
 }
 
 std::string_view extent_of(RankingFlip flip) {

@@ -23,9 +23,10 @@ const PassTiming* draw_timing(const CellResult& cell);
 
 /// Which FLIP ranks cells that are shown together.
 enum class RankingFlip {
-    /// image.footprint.flip
+    /// chosen_figures::flip
     footprint,
-    /// image.flip, of runs of version 0.1.0: relief beyond the quad counts in it, which no per-pixel technique can
+    /// chosen_figures::flip_of_whole_picture, of runs of version 0.1.0: relief beyond the quad counts in it, which no
+    /// per-pixel technique can
     /// draw.
     whole,
 };
@@ -34,9 +35,6 @@ enum class RankingFlip {
 /// all.
 RankingFlip ranking_flip(const std::vector<CellResult>& cells);
 
-std::optional<double> flip_of(const CellResult& cell, RankingFlip flip);
-
-/// "image.footprint.flip"
 std::string_view path_of(RankingFlip flip);
 
 /// "over the footprint"

@@ -1,274 +1,192 @@
 #include "store/cell_result.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
 
 namespace reliefbench {
 
 namespace {
+
+using Member = FigureList::Member;
 
 const std::vector<std::string> status_names = {"ok", "skipped", "failed"};
 
 /// In the order of StopReason.
 const std::vector<std::string> stop_reason_names = {"precise", "stalled", "budget", "rounds", "time"};
 
-// Beside the passes, members of "time".
-constexpr std::string_view ns_per_pixel_key = "ns_per_pixel";
 constexpr std::string_view stop_key = "stop";
-constexpr std::string_view throttled_rounds_key = "throttled_rounds";
+constexpr std::string_view time_group = "time";
+constexpr std::string_view prepare_group = "prepare";
 
-bool is_pass(std::string_view key) {
-    return key != ns_per_pixel_key && key != stop_key && key != throttled_rounds_key;
+/// A pass, among the members of "time".
+bool is_pass(const Member& time, std::string_view key) {
+    if (key == stop_key) return false;
+    const Member* const member = time.find(key);
+    return member == nullptr || !member->figure;
 }
 
-Json to_json(const PassTiming& timing) {
-    Json json;
-    json["median_ms"] = finite_or_null(timing.median_ms);
-    json["mad_ms"] = finite_or_null(timing.mad_ms);
-    json["ci95_ms"] = {finite_or_null(timing.ci95_ms.low), finite_or_null(timing.ci95_ms.high)};
-    json["n"] = timing.n;
-    json["repeats"] = timing.repeats;
-    json["rounds"] = timing.rounds;
-    json["outliers"] = timing.outliers;
-    if (timing.lower_quartile_ms) json["lower_quartile_ms"] = finite_or_null(*timing.lower_quartile_ms);
+const Member& group_of_line(const FigureList& list, std::string_view key) {
+    const Member* const group = list.line().find(key);
+    assert(group != nullptr);
+    return *group;
+}
+
+/// What every pass has: the draw's figures.
+const Member& pass_group(const FigureList& list) {
+    const Member* const group = group_of_line(list, time_group).find(draw_pass);
+    assert(group != nullptr);
+    return *group;
+}
+
+Json number_to_json(const FigureDeclaration& figure, const std::optional<double>& value) {
+    if (!value || !std::isfinite(*value)) return nullptr;
+    return figure.is_count ? Json(static_cast<std::uint64_t>(*value)) : Json(*value);
+}
+
+/// Of figures by their place in a list.
+struct FigureSource {
+    const FigureList& list;
+    std::function<std::optional<double>(std::size_t)> value;
+    /// Given, be it undefined.
+    std::function<bool(std::size_t)> is_given;
+};
+
+bool has_any(const Member& member, const FigureSource& source) {
+    if (member.figure) return source.is_given(*member.figure);
+    return std::any_of(member.members.begin(), member.members.end(),
+                       [&](const Member& each) { return has_any(each, source); });
+}
+
+/// A group in which nothing is given is null.
+Json member_to_json(const Member& member, const FigureSource& source) {
+    if (member.figure) return number_to_json(source.list.all()[*member.figure], source.value(*member.figure));
+    if (!has_any(member, source)) return nullptr;
+    Json json = member.is_interval() ? Json::array() : Json::object();
+    for (const Member& each : member.members) {
+        if (member.is_interval()) {
+            json.push_back(member_to_json(each, source));
+        } else {
+            json[each.key] = member_to_json(each, source);
+        }
+    }
     return json;
 }
 
-Json to_json(const CellResult::Work& work) {
-    Json json;
-    json["taps_mean"] = finite_or_null(work.taps_mean);
-    json["taps_p95"] = finite_or_null(work.taps_p95);
-    json["texels_mean"] = finite_or_null(work.texels_mean);
-    json["steps_mean"] = finite_or_null(work.steps_mean);
-    json["steps_p95"] = finite_or_null(work.steps_p95);
-    json["unconverged"] = finite_or_null(work.unconverged);
-    json["covered_pixels"] = work.covered_pixels;
-    json["shadow_taps_mean"] = finite_or_null(work.shadow_taps_mean);
-    json["shadow_taps_p95"] = finite_or_null(work.shadow_taps_p95);
+/// Numbers that are not finite are undefined.
+std::optional<double> stored_value(std::size_t figure, const CellResult& result) {
+    return figure < time_figure_count() ? time_value(figure, result) : result.figures.value(figure);
+}
+
+FigureSource source_of(const CellResult& result) {
+    const auto value = [&result](std::size_t figure) { return stored_value(figure, result); };
+    const auto is_given = [&result](std::size_t figure) {
+        return figure < time_figure_count() ? time_value(figure, result).has_value() : result.figures.is_given(figure);
+    };
+    return {result.figures.list(), value, is_given};
+}
+
+Json times_to_json(const CellResult& result) {
+    const FigureList& list = result.figures.list();
+    const Member& time = group_of_line(list, time_group);
+    const FigureSource of_cell = source_of(result);
+    Json json = Json::object();
+    for (const auto& [pass, timing] : result.time) {
+        assert(is_pass(time, pass));
+        const bool is_draw = pass == draw_pass;
+        const PassTiming& of_pass = timing;
+        const auto value = [&](std::size_t figure) {
+            return is_draw ? of_cell.value(figure) : pass_value(figure, of_pass);
+        };
+        json[pass] = member_to_json(pass_group(list),
+                                    {list, value, [&](std::size_t figure) { return value(figure).has_value(); }});
+    }
+    json[stop_key] = result.stop ? Json(to_string(*result.stop)) : Json(nullptr);
+    for (const Member& member : time.members) {
+        if (member.figure) json[member.key] = member_to_json(member, of_cell);
+    }
     return json;
 }
 
-Json to_json(const std::optional<Summary>& summary) {
-    if (!summary) return nullptr;
-    Json json;
-    json["mean"] = finite_or_null(summary->mean);
-    json["rms"] = finite_or_null(summary->rms);
-    json["p50"] = finite_or_null(summary->p50);
-    json["p95"] = finite_or_null(summary->p95);
-    json["p99"] = finite_or_null(summary->p99);
-    json["max"] = finite_or_null(summary->max);
-    return json;
+/// Takes the value of a figure; empty for null.
+using TakeFigure = std::function<void(std::size_t figure, std::optional<double> value)>;
+
+void read_member(const JsonView& view, const Member& member, const FigureList& list, const TakeFigure& take) {
+    if (member.figure) {
+        if (view.json().is_null()) return take(*member.figure, std::nullopt);
+        const bool is_count = list.all()[*member.figure].is_count;
+        return take(*member.figure, is_count ? static_cast<double>(view.integer(0)) : view.number());
+    }
+    if (view.json().is_null()) return;
+    if (member.is_interval()) {
+        if (!view.json().is_array() || view.json().size() != 2) view.fail_expected("[low, high]");
+        const std::vector<JsonView> bounds = view.items();
+        for (std::size_t bound = 0; bound < bounds.size(); ++bound)
+            read_member(bounds[bound], member.members[bound], list, take);
+        return;
+    }
+    for (const auto& [key, value] : view.members()) {
+        const Member* const known = member.find(key);
+        if (known != nullptr) {
+            read_member(value, *known, list, take);
+            continue;
+        }
+        std::vector<std::string> keys;
+        for (const Member& each : member.members)
+            keys.push_back(each.key);
+        view.require_only(keys);
+    }
 }
 
-Json to_json(const CellResult::ShadowErrors& shadow) {
-    Json json;
-    json["mean"] = finite_or_null(shadow.mean);
-    json["false_shadow"] = finite_or_null(shadow.false_shadow);
-    json["missed_shadow"] = finite_or_null(shadow.missed_shadow);
-    json["compared"] = shadow.compared;
-    json["truth_standard_error"] = finite_or_null(shadow.truth_standard_error);
-    return json;
+void take_figure(CellResult& result, std::size_t figure, std::optional<double> value) {
+    if (figure >= time_figure_count()) {
+        result.figures.set(figure, value.value_or(std::numeric_limits<double>::quiet_NaN()));
+    } else if (value) {
+        set_time_value(figure, result, *value);
+    }
 }
 
-Json to_json(const CellResult::Errors& errors) {
-    Json json;
-    json["uv_texels"] = to_json(errors.uv_texels);
-    json["depth"] = to_json(errors.depth);
-    json["normal_deg"] = to_json(errors.normal_deg);
-    json["compared"] = errors.compared;
-    json["missed"] = finite_or_null(errors.missed);
-    json["false_hits"] = finite_or_null(errors.false_hits);
-    json["ties"] = finite_or_null(errors.ties);
-    json["outside_quad"]["pixels"] = errors.outside_quad_pixels;
-    json["outside_quad"]["covered"] = finite_or_null(errors.outside_quad_covered);
-    json["coverage_iou"] = finite_or_null(errors.coverage_iou);
-    json["wrong_surface"] = finite_or_null(errors.wrong_surface);
-    json["shadow"] = errors.shadow ? to_json(*errors.shadow) : Json(nullptr);
-    return json;
+void read_group(const JsonView& view, const Member& group, CellResult& result) {
+    read_member(view, group, result.figures.list(),
+                [&](std::size_t figure, std::optional<double> value) { take_figure(result, figure, value); });
 }
 
-template <typename Fields>
-Json image_errors_to_json(const Fields& errors) {
-    Json json;
-    json["flip"] = finite_or_null(errors.flip);
-    json["psnr"] = finite_or_null(errors.psnr);
-    json["ssim"] = finite_or_null(errors.ssim);
-    json["rmse"] = finite_or_null(errors.rmse);
-    return json;
-}
-
-Json to_json(const CellResult::ImageFields& image) {
-    Json json = image_errors_to_json(image);
-    if (image.footprint) json["footprint"] = image_errors_to_json(*image.footprint);
-    return json;
-}
-
-Json to_json(const std::optional<CellResult::MotionFigure>& figure) {
-    if (!figure) return nullptr;
-    Json json;
-    json["mean"] = finite_or_null(figure->mean);
-    json["p95"] = finite_or_null(figure->p95);
-    json["max"] = finite_or_null(figure->max);
-    return json;
-}
-
-Json to_json(const CellResult::Motion& motion) {
-    Json json;
-    json["texels"] = to_json(motion.texels);
-    json["flip"] = to_json(motion.flip);
-    json["compared"] = motion.compared;
-    json["hit_once"] = motion.hit_once;
-    json["unseen"] = motion.unseen;
-    return json;
-}
-
-template <typename Fields>
-Json fields_or_null(const std::optional<Fields>& fields) {
-    return fields ? to_json(*fields) : Json(nullptr);
-}
-
-std::uint64_t count(const JsonView& view) {
-    return static_cast<std::uint64_t>(view.integer(0));
-}
-
-/// `read` of a value that may be null.
-template <typename Read>
-auto optional(const JsonView& view, Read read) -> std::optional<decltype(read(view))> {
-    if (view.json().is_null()) return std::nullopt;
-    return read(view);
-}
-
-std::optional<double> optional_number(const JsonView& view) {
-    return optional(view, [](const JsonView& present) { return present.number(); });
-}
-
-PassTiming read_timing(const JsonView& view) {
-    view.require_only({"median_ms", "mad_ms", "ci95_ms", "n", "repeats", "rounds", "outliers", "lower_quartile_ms"});
-    const std::vector<JsonView> interval = view.at("ci95_ms").items();
-    if (interval.size() != 2) view.at("ci95_ms").fail_expected("[low, high]");
+PassTiming read_timing(const JsonView& view, const std::string& pass, CellResult& result) {
+    const FigureList& list = result.figures.list();
     PassTiming timing;
-    timing.median_ms = view.at("median_ms").number();
-    timing.mad_ms = view.at("mad_ms").number();
-    timing.ci95_ms = {interval[0].number(), interval[1].number()};
-    timing.n = count(view.at("n"));
-    timing.repeats = static_cast<int>(view.at("repeats").integer(1, std::numeric_limits<int>::max()));
-    // Runs before these were recorded have neither.
-    if (view.has("rounds")) timing.rounds = count(view.at("rounds"));
-    if (view.has("lower_quartile_ms")) timing.lower_quartile_ms = view.at("lower_quartile_ms").number();
-    if (view.has("outliers")) timing.outliers = count(view.at("outliers"));
+    read_member(view, pass_group(list), list, [&](std::size_t figure, std::optional<double> value) {
+        if (figure >= time_figure_count()) {
+            if (pass == draw_pass) take_figure(result, figure, value);
+        } else if (value) {
+            set_pass_value(figure, timing, *value);
+        } else if (is_of_every_pass(figure)) {
+            view.fail_here(fmt::format("{} is null, which every pass has", list.all()[figure].label));
+        }
+    });
+    for (const Member& member : pass_group(list).members) {
+        const std::size_t first = member.figure ? *member.figure : *member.members.front().figure;
+        if (is_of_every_pass(first)) view.at(member.key);
+    }
     return timing;
 }
 
-CellResult::Work read_work(const JsonView& view) {
-    view.require_only({"taps_mean", "taps_p95", "texels_mean", "steps_mean", "steps_p95", "unconverged",
-                       "covered_pixels", "shadow_taps_mean", "shadow_taps_p95"});
-    CellResult::Work work;
-    work.taps_mean = view.at("taps_mean").number();
-    work.taps_p95 = view.at("taps_p95").number();
-    work.texels_mean = view.at("texels_mean").number();
-    work.steps_mean = view.at("steps_mean").number();
-    work.steps_p95 = view.at("steps_p95").number();
-    work.unconverged = view.at("unconverged").number();
-    work.covered_pixels = count(view.at("covered_pixels"));
-    // Runs before there were shadows have neither.
-    if (view.has("shadow_taps_mean")) work.shadow_taps_mean = optional_number(view.at("shadow_taps_mean"));
-    if (view.has("shadow_taps_p95")) work.shadow_taps_p95 = optional_number(view.at("shadow_taps_p95"));
-    return work;
-}
-
-Summary read_summary(const JsonView& view) {
-    view.require_only({"mean", "rms", "p50", "p95", "p99", "max"});
-    Summary summary;
-    summary.mean = view.at("mean").number();
-    summary.rms = view.at("rms").number();
-    summary.p50 = view.at("p50").number();
-    summary.p95 = view.at("p95").number();
-    summary.p99 = view.at("p99").number();
-    summary.max = view.at("max").number();
-    return summary;
-}
-
-CellResult::ShadowErrors read_shadow_errors(const JsonView& view) {
-    view.require_only({"mean", "false_shadow", "missed_shadow", "compared", "truth_standard_error"});
-    CellResult::ShadowErrors shadow;
-    shadow.mean = view.at("mean").number();
-    shadow.false_shadow = view.at("false_shadow").number();
-    shadow.missed_shadow = view.at("missed_shadow").number();
-    shadow.compared = count(view.at("compared"));
-    shadow.truth_standard_error = optional_number(view.at("truth_standard_error"));
-    return shadow;
-}
-
-CellResult::Errors read_errors(const JsonView& view) {
-    view.require_only({"uv_texels", "depth", "normal_deg", "compared", "missed", "false_hits", "ties", "outside_quad",
-                       "coverage_iou", "shadow", "wrong_surface"});
-    const JsonView outside_quad = view.at("outside_quad");
-    outside_quad.require_only({"pixels", "covered"});
-    CellResult::Errors errors;
-    errors.uv_texels = optional(view.at("uv_texels"), read_summary);
-    errors.depth = optional(view.at("depth"), read_summary);
-    errors.normal_deg = optional(view.at("normal_deg"), read_summary);
-    errors.compared = count(view.at("compared"));
-    errors.missed = view.at("missed").number();
-    errors.false_hits = view.at("false_hits").number();
-    if (view.has("ties")) errors.ties = optional_number(view.at("ties"));
-    errors.outside_quad_pixels = count(outside_quad.at("pixels"));
-    errors.outside_quad_covered = optional_number(outside_quad.at("covered"));
-    errors.coverage_iou = view.at("coverage_iou").number();
-    // Runs before there were shadows and objects have neither.
-    if (view.has("wrong_surface")) errors.wrong_surface = optional_number(view.at("wrong_surface"));
-    if (view.has("shadow")) errors.shadow = optional(view.at("shadow"), read_shadow_errors);
-    return errors;
-}
-
-template <typename Fields>
-Fields read_image_errors(const JsonView& view) {
-    Fields errors;
-    errors.flip = optional_number(view.at("flip"));
-    errors.psnr = optional_number(view.at("psnr"));
-    errors.ssim = optional_number(view.at("ssim"));
-    errors.rmse = optional_number(view.at("rmse"));
-    return errors;
-}
-
-CellResult::ImageFields read_image(const JsonView& view) {
-    view.require_only({"flip", "psnr", "ssim", "rmse", "footprint"});
-    auto image = read_image_errors<CellResult::ImageFields>(view);
-    if (view.has("footprint")) {
-        image.footprint = optional(view.at("footprint"), [](const JsonView& footprint) {
-            footprint.require_only({"flip", "psnr", "ssim", "rmse"});
-            return read_image_errors<CellResult::FootprintFields>(footprint);
-        });
+void read_times(const JsonView& view, CellResult& result) {
+    const Member& time = group_of_line(result.figures.list(), time_group);
+    for (const auto& [key, value] : view.members()) {
+        if (is_pass(time, key)) {
+            result.time[key] = read_timing(value, key, result);
+        } else if (key != stop_key) {
+            read_group(value, *time.find(key), result);
+        } else if (!value.json().is_null()) {
+            result.stop = static_cast<StopReason>(value.choice(stop_reason_names));
+        }
     }
-    return image;
-}
-
-CellResult::MotionFigure read_motion_figure(const JsonView& view) {
-    view.require_only({"mean", "p95", "max"});
-    return {view.at("mean").number(), view.at("p95").number(), view.at("max").number()};
-}
-
-CellResult::Motion read_motion(const JsonView& view) {
-    view.require_only({"texels", "flip", "compared", "hit_once", "unseen"});
-    CellResult::Motion motion;
-    motion.texels = optional(view.at("texels"), read_motion_figure);
-    motion.flip = optional(view.at("flip"), read_motion_figure);
-    motion.compared = count(view.at("compared"));
-    motion.hit_once = count(view.at("hit_once"));
-    motion.unseen = count(view.at("unseen"));
-    return motion;
-}
-
-void read_beside_passes(const JsonView& time, CellResult& result) {
-    result.ns_per_pixel = optional_number(time.at(std::string(ns_per_pixel_key)));
-    const std::string stop(stop_key);
-    const std::string throttled_rounds(throttled_rounds_key);
-    if (time.has(stop)) {
-        result.stop = optional(time.at(stop), [](const JsonView& reason) {
-            return static_cast<StopReason>(reason.choice(stop_reason_names));
-        });
-    }
-    if (time.has(throttled_rounds)) result.throttled_rounds = count(time.at(throttled_rounds));
 }
 
 std::map<std::string, std::map<std::string, double>> read_executable(const JsonView& view) {
@@ -292,7 +210,29 @@ std::string_view to_string(StopReason reason) {
     return stop_reason_names[static_cast<std::size_t>(reason)];
 }
 
+std::optional<double> value_of(const FigureDeclaration& figure, const CellResult& cell) {
+    const FigureList& list = cell.figures.list();
+    const std::optional<std::size_t> index = list.index_of(figure);
+    if (!index) return std::nullopt;
+    const std::optional<double> value = stored_value(*index, cell);
+    const bool may_be_infinite = !value && !figure.infinite_at_zero.empty();
+    if (may_be_infinite && value_of(figure.infinite_at_zero, cell) == 0.0)
+        return std::numeric_limits<double>::infinity();
+    return value;
+}
+
+std::optional<double> value_of(std::string_view path, const CellResult& cell) {
+    const FigureDeclaration* const figure = cell.figures.list().find(path);
+    return figure == nullptr ? std::nullopt : value_of(*figure, cell);
+}
+
+bool is_given(const FigureDeclaration& figure, const CellResult& cell) {
+    const std::optional<std::size_t> index = cell.figures.list().index_of(figure);
+    return index && source_of(cell).is_given(*index);
+}
+
 Json to_json(const CellResult& result) {
+    const FigureSource source = source_of(result);
     Json json;
     json["cell"] = result.cell;
     json["technique"] = result.technique;
@@ -300,17 +240,9 @@ Json to_json(const CellResult& result) {
     json["parameters"] = result.parameters.is_null() ? Json::object() : result.parameters;
     json["status"] = status_names[static_cast<std::size_t>(result.status)];
     json["reason"] = result.reason.empty() ? Json(nullptr) : Json(result.reason);
-    json["time"] = Json::object();
-    for (const auto& [pass, timing] : result.time) {
-        assert(is_pass(pass));
-        json["time"][pass] = to_json(timing);
-    }
-    json["time"][ns_per_pixel_key] = finite_or_null(result.ns_per_pixel);
-    json["time"][stop_key] = result.stop ? Json(to_string(*result.stop)) : Json(nullptr);
-    json["time"][throttled_rounds_key] = result.throttled_rounds;
-    json["prepare"]["ms"] = finite_or_null(result.prepare_ms);
-    json["prepare"]["bytes"] = result.prepare_bytes ? Json(*result.prepare_bytes) : Json(nullptr);
-    json["work"] = fields_or_null(result.work);
+    json["time"] = times_to_json(result);
+    for (const Member& member : group_of_line(source.list, prepare_group).members)
+        json[prepare_group][member.key] = member_to_json(member, source);
     json["pipeline"] = Json::object();
     for (const auto& [statistic, value] : result.pipeline) {
         json["pipeline"][statistic] = value;
@@ -321,42 +253,37 @@ Json to_json(const CellResult& result) {
             json["executable"][stage][statistic] = finite_or_null(value);
         }
     }
-    json["error"] = fields_or_null(result.error);
-    json["image"] = fields_or_null(result.image);
-    json["motion"] = fields_or_null(result.motion);
+    for (const Member& group : source.list.line().members) {
+        if (group.key != time_group && group.key != prepare_group) json[group.key] = member_to_json(group, source);
+    }
     if (result.forced_resume) json["forced_resume"] = true;
     return json;
 }
 
-CellResult parse_cell_result(const Json& json, const std::string& file) {
+CellResult parse_cell_result(const Json& json, const std::string& file, const std::shared_ptr<const FigureList>& list) {
     const JsonView view(json, file);
     // Runs of version 0.1.0 have the short key.
     const std::string parameters = view.has("params") ? "params" : "parameters";
-    view.require_only({"cell", "technique", "axes", parameters, "status", "reason", "time", "prepare", "work",
-                       "pipeline", "executable", "error", "image", "motion", "forced_resume"});
-    const JsonView prepare = view.at("prepare");
-    prepare.require_only({"ms", "bytes"});
-    CellResult result;
+    std::vector<std::string> known = keys_beside_figures();
+    std::erase(known, parameters == "params" ? "parameters" : "params");
+    for (const Member& group : list->line().members)
+        known.push_back(group.key);
+    view.require_only(known);
+    CellResult result(list);
     result.cell = view.at("cell").string();
     result.technique = view.at("technique").string();
     result.axes = read_object(view.at("axes"));
     result.parameters = read_object(view.at(parameters));
     result.status = static_cast<CellStatus>(view.at("status").choice(status_names));
-    result.reason = optional(view.at("reason"), [](const JsonView& reason) { return reason.string(); }).value_or("");
-    for (const auto& [pass, timing] : view.at("time").members()) {
-        if (is_pass(pass)) result.time[pass] = read_timing(timing);
+    if (const JsonView reason = view.at("reason"); !reason.json().is_null()) result.reason = reason.string();
+    read_times(view.at(std::string(time_group)), result);
+    for (const Member& group : list->line().members) {
+        if (group.key != time_group && view.has(group.key)) read_group(view.at(group.key), group, result);
     }
-    read_beside_passes(view.at("time"), result);
-    result.prepare_ms = optional_number(prepare.at("ms"));
-    result.prepare_bytes = optional(prepare.at("bytes"), count);
-    result.work = optional(view.at("work"), read_work);
     for (const auto& [statistic, value] : view.at("pipeline").members()) {
-        result.pipeline[statistic] = count(value);
+        result.pipeline[statistic] = static_cast<std::uint64_t>(value.integer(0));
     }
     if (view.has("executable")) result.executable = read_executable(view.at("executable"));
-    result.error = optional(view.at("error"), read_errors);
-    result.image = optional(view.at("image"), read_image);
-    if (view.has("motion")) result.motion = optional(view.at("motion"), read_motion);
     if (view.has("forced_resume")) result.forced_resume = view.at("forced_resume").boolean();
     return result;
 }

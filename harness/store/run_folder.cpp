@@ -265,11 +265,12 @@ Json read_run_record(const std::filesystem::path& folder) {
     return record;
 }
 
-std::vector<CellResult> parse_cells(std::istream& lines, const std::string& file) {
+std::vector<CellResult> parse_cells(std::istream& lines, const std::string& file,
+                                    const std::shared_ptr<const FigureList>& figures) {
     std::vector<CellResult> cells;
     std::unordered_set<std::string> ids;
-    const auto parse = [](std::string_view line, const std::string& where) {
-        return parse_cell_result(parse_json(line, where), where);
+    const auto parse = [&](std::string_view line, const std::string& where) {
+        return parse_cell_result(parse_json(line, where), where, figures);
     };
     for_each_parsed_line(lines, file, parse, [&](CellResult&& cell, const std::string& where) {
         if (!ids.insert(cell.cell).second) {
@@ -283,10 +284,11 @@ std::vector<CellResult> parse_cells(std::istream& lines, const std::string& file
 Run read_run(const std::filesystem::path& folder) {
     Run run;
     run.run = read_run_record(folder);
+    run.figures = figures_of_record(run.run, (folder / run_file).string());
     const std::filesystem::path path = folder / cells_file;
     std::ifstream file(path, std::ios::binary);
     if (!file) fail("cannot read {}: {}", path.string(), std::strerror(errno));
-    run.cells = parse_cells(file, path.string());
+    run.cells = parse_cells(file, path.string(), run.figures);
     return run;
 }
 

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -87,13 +88,16 @@ std::optional<Json> read_run_summary(const std::filesystem::path& folder);
 struct Run {
     Json run;
     std::vector<CellResult> cells;
+    /// What the cells may have: this version's, and those that a later one declared in run.json.
+    std::shared_ptr<const FigureList> figures = declared_figures();
 };
 
 /// Strict: a line that is cut short, is no cell result or repeats a cell is an Error.
 Run read_run(const std::filesystem::path& folder);
 
 /// The cells of a cells.jsonl; `file` is for messages.
-std::vector<CellResult> parse_cells(std::istream& lines, const std::string& file);
+std::vector<CellResult> parse_cells(std::istream& lines, const std::string& file,
+                                    const std::shared_ptr<const FigureList>& figures = declared_figures());
 
 /// run.json alone.
 Json read_run_record(const std::filesystem::path& folder);

@@ -5,6 +5,7 @@
 #include "scene/height_map.hpp"
 #include "scene/hit.hpp"
 #include "scene/lighting.hpp"
+#include "scene/pixel_work.hpp"
 #include "scene/relief.hpp"
 #include "scene/scene_object.hpp"
 #include "technique/answer_fault.hpp"
@@ -39,17 +40,6 @@ public:
 
 private:
     std::unique_ptr<Textures> textures_;
-};
-
-/// What the search of one pixel cost; shading is not counted.
-struct PixelWork {
-    std::uint32_t taps = 0;
-    std::uint32_t texels = 0;
-    std::uint32_t steps = 0;
-    /// Searches that ended by their cap where they could still have hit something.
-    std::uint32_t unconverged = 0;
-    /// Whether the device ended its loops, or those of a pixel that it runs beside it (gpu/loop_limit.hpp).
-    bool cut = false;
 };
 
 /// One draw of the probed compilation.
@@ -163,8 +153,8 @@ private:
 /// `samples` timings of a pass that does nothing: what the measurement itself costs. Never subtracted.
 std::vector<double> time_empty_pass(const gpu::Device& device, int samples);
 
-/// Empty when the device can run the technique with the parameters on the map and view, and these are what the technique
-/// needs; else the reason for skipping the cell.
+/// Empty when the device can run the technique with the parameters on the map and view, and these are what the
+/// technique needs; else the reason for skipping the cell.
 std::string unsupported_reason(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
                                const View& view, Resolution height_map);
 

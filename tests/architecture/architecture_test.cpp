@@ -26,7 +26,7 @@ const std::map<std::string, std::set<std::string>> allowed_includes = {
     {"picture", {"metrics", "scene", "core"}},
     {"gpu", {"core"}},
     {"technique", {"manifest", "gpu", "scene", "core"}},
-    {"store", {"sweep", "core"}},
+    {"store", {"sweep", "metrics", "core"}},
     {"verify", {"technique", "manifest", "reference", "metrics", "scene", "gpu", "core"}},
     {"measure", {"technique", "manifest", "reference", "picture", "metrics", "scene", "gpu", "store", "sweep", "core"}},
     {"compare", {"store", "core"}},

@@ -2,6 +2,7 @@
 
 #include "core/json.hpp"
 #include "store/run_folder.hpp"
+#include "support/cell_figures.hpp"
 
 #include <filesystem>
 #include <string>
@@ -37,13 +38,18 @@ inline void store_run(const std::filesystem::path& folder, const std::vector<Sto
         cell.status = stored.status;
         if (stored.status == CellStatus::ok) {
             cell.time["draw"] = {stored.ms, 0.001 * stored.ms, {0.999 * stored.ms, 1.001 * stored.ms}, 9, 1};
-            cell.work = CellResult::Work{17.5, 18, 17.5, 16, 16, 0, 65536};
-            CellResult::Errors errors;
-            errors.uv_texels = Summary{0.1, 0.2, 0.1, 0.4, stored.uv_p99, 3};
-            errors.compared = 65536;
-            errors.missed = stored.missed;
-            errors.coverage_iou = 1;
-            cell.error = errors;
+            set_figures(cell, {{"work.taps_mean", 17.5},
+                               {"work.taps_p95", 18},
+                               {"work.texels_mean", 17.5},
+                               {"work.steps_mean", 16},
+                               {"work.steps_p95", 16},
+                               {"work.unconverged", 0},
+                               {"work.covered_pixels", 65536}});
+            set_summary(cell, "error.uv_texels", {0.1, 0.2, 0.1, 0.4, stored.uv_p99, 3});
+            set_figures(cell, {{"error.compared", 65536},
+                               {"error.missed", stored.missed},
+                               {"error.false_hits", 0},
+                               {"error.coverage_iou", 1}});
             for (int round = 0; round < 9; ++round) {
                 writer.append_samples({stored.cell, "draw", round, 0, 1, {stored.ms * (1 + 0.001 * (round % 3 - 1))}});
             }

@@ -3,6 +3,7 @@
 #include "compare/pair_runs.hpp"
 #include "compare/run_differences.hpp"
 #include "compare/synthetic_runs.hpp"
+#include "support/cell_figures.hpp"
 #include "support/error_message.hpp"
 
 #include <gmock/gmock.h>
@@ -311,10 +312,10 @@ std::vector<std::string> changed_fields(const Comparison& comparison) {
 
 TEST(CompareRuns, ErrorsAreComparedOnlyAgainstTheSameTruthAndPicturesOnlyUnderTheSameLight) {
     CellResult worse = cell_result("c", 1);
-    worse.error->missed = 0.5;
-    worse.image->rmse = 0.5;
+    set_figure(worse, "error.missed", 0.5);
+    set_figure(worse, "image.rmse", 0.5);
     CellResult before = cell_result("c", 1);
-    before.image->rmse = 0.1;
+    set_figure(before, "image.rmse", 0.1);
     const StoredRun base = one_run("base", {before});
     StoredRun changed = one_run("new", {worse});
     EXPECT_THAT(changed_fields(compare_one(base, changed)),
@@ -332,11 +333,12 @@ TEST(CompareRuns, ErrorsAreComparedOnlyAgainstTheSameTruthAndPicturesOnlyUnderTh
 
 TEST(CompareRuns, MotionIsComparedOnlyAlongTheSameArc) {
     CellResult before = cell_result("c", 1);
-    before.motion =
-        CellResult::Motion{CellResult::MotionFigure{0.5, 1, 2}, CellResult::MotionFigure{0.1, 0.2, 0.3}, 1000};
+    set_figures(before, {{"motion.texels.mean", 0.5}, {"motion.texels.p95", 1}, {"motion.texels.max", 2}});
+    set_figures(before, {{"motion.flip.mean", 0.1}, {"motion.flip.p95", 0.2}, {"motion.flip.max", 0.3}});
+    set_figures(before, {{"motion.compared", 1000}, {"motion.hit_once", 0}, {"motion.unseen", 0}});
     CellResult worse = before;
-    worse.motion->texels->mean = 0.6;
-    worse.motion->flip->mean = 0.15;
+    set_figure(worse, "motion.texels.mean", 0.6);
+    set_figure(worse, "motion.flip.mean", 0.15);
     StoredRun base = one_run("base", {before});
     StoredRun changed = one_run("new", {worse});
     base.run.run["configuration"]["motion"] = changed.run.run["configuration"]["motion"] = {{"degrees", 0.25}};
@@ -351,9 +353,9 @@ TEST(CompareRuns, MotionIsComparedOnlyAlongTheSameArc) {
 
 TEST(CompareRuns, OneRunASideTellsQualityWhateverTheTimesAndTheDevices) {
     CellResult before = cell_result("c", 1);
-    before.image->flip = 0.1;
+    set_figure(before, "image.flip", 0.1);
     CellResult after = before;
-    after.image->flip = 0.2;
+    set_figure(after, "image.flip", 0.2);
     after.time.clear();
     StoredRun changed = one_run("new", {after, with_status(cell_result("broken", 1), CellStatus::failed, "lost")});
     changed.run.run["device"]["name"] = "another device";
@@ -369,10 +371,9 @@ TEST(CompareRuns, OneRunASideTellsQualityWhateverTheTimesAndTheDevices) {
 
 TEST(CompareRuns, AFigureOfAnOlderVersionStandsInAndThatIsSaid) {
     CellResult before = cell_result("c", 1);
-    before.image->flip = 0.1;
+    set_figure(before, "image.flip", 0.1);
     CellResult after = before;
-    after.image->footprint.emplace();
-    after.image->footprint->flip = 0.01;
+    set_figure(after, "image.footprint.flip", 0.01);
     EXPECT_THAT(compare_one(one_run("base", {before}), one_run("new", {after})).notices,
                 Contains("of 1 of 1 cell one side has no image.footprint.flip, so image.flip decides in its place"));
     EXPECT_THAT(compare_one(one_run("base", {after}), one_run("new", {after})).notices,
@@ -382,10 +383,10 @@ TEST(CompareRuns, AFigureOfAnOlderVersionStandsInAndThatIsSaid) {
 TEST(CompareRuns, TiesThatOneSideDidNotKnowAreANotice) {
     const CellResult before = cell_result("c", 1);
     CellResult after = before;
-    after.error->ties = 0;
+    set_figure(after, "error.ties", 0);
     const auto notices = [&] { return compare_one(one_run("base", {before}), one_run("new", {after})).notices; };
     EXPECT_THAT(notices(), testing::Not(Contains(HasSubstr("error.ties"))));
-    after.error->ties = 0.02;
+    set_figure(after, "error.ties", 0.02);
     EXPECT_THAT(notices(), Contains(HasSubstr("of 1 of 1 cell the errors of one side count ties")));
 }
 

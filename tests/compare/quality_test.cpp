@@ -1,5 +1,7 @@
 #include "compare/quality.hpp"
 
+#include "support/cell_figures.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,34 +16,51 @@ namespace {
 
 CellResult result() {
     CellResult result;
-    CellResult::Errors errors;
-    errors.uv_texels = errors.normal_deg = Summary{0.2, 0.2, 0.05, 0.5, 0.8, 3};
-    errors.depth = Summary{-0.001, 0.002, 0.0005, 0.005, 0.01, 0.03};
-    errors.compared = 65000;
-    errors.missed = 0.01;
-    errors.false_hits = 0.02;
-    errors.outside_quad_pixels = 12;
-    errors.outside_quad_covered = 0.5;
-    errors.coverage_iou = 0.98;
-    errors.shadow = CellResult::ShadowErrors{0.02, 0.01, 0.015, 64000, 0.001};
-    errors.wrong_surface = 0.003;
-    result.error = errors;
-    result.image = CellResult::ImageFields{0.3, 30, 0.9, 0.03, CellResult::FootprintFields{0.1, 35, 0.95, 0.02}};
-    result.motion = CellResult::Motion{CellResult::MotionFigure{0.5, 2, 8}, CellResult::MotionFigure{0.1, 0.2, 0.3},
-                                       500000, 12, 700};
-    CellResult::Work work;
-    work.taps_mean = 17.5;
-    work.steps_mean = 16;
-    work.unconverged = 0.1;
-    work.covered_pixels = 65536;
-    result.work = work;
+    for (const char* path : {"error.uv_texels", "error.normal_deg"})
+        set_summary(result, path, {0.2, 0.2, 0.05, 0.5, 0.8, 3});
+    set_summary(result, "error.depth", {-0.001, 0.002, 0.0005, 0.005, 0.01, 0.03});
+    set_figures(result, {{"error.compared", 65000},
+                         {"error.missed", 0.01},
+                         {"error.false_hits", 0.02},
+                         {"error.outside_quad.pixels", 12},
+                         {"error.outside_quad.covered", 0.5},
+                         {"error.coverage_iou", 0.98},
+                         {"error.shadow.mean", 0.02},
+                         {"error.shadow.false_shadow", 0.01},
+                         {"error.shadow.missed_shadow", 0.015},
+                         {"error.shadow.compared", 64000},
+                         {"error.shadow.truth_standard_error", 0.001},
+                         {"error.wrong_surface", 0.003}});
+    set_figures(result, {{"image.flip", 0.3},
+                         {"image.psnr", 30},
+                         {"image.ssim", 0.9},
+                         {"image.rmse", 0.03},
+                         {"image.footprint.flip", 0.1},
+                         {"image.footprint.psnr", 35},
+                         {"image.footprint.ssim", 0.95},
+                         {"image.footprint.rmse", 0.02}});
+    set_figures(result, {{"motion.texels.mean", 0.5},
+                         {"motion.texels.p95", 2},
+                         {"motion.texels.max", 8},
+                         {"motion.flip.mean", 0.1},
+                         {"motion.flip.p95", 0.2},
+                         {"motion.flip.max", 0.3},
+                         {"motion.compared", 500000},
+                         {"motion.hit_once", 12},
+                         {"motion.unseen", 700}});
+    set_group(result, "work", 0);
+    set_figures(
+        result,
+        {{"work.taps_mean", 17.5}, {"work.steps_mean", 16}, {"work.unconverged", 0.1}, {"work.covered_pixels", 65536}});
+    remove_figures(result, "work.shadow_taps_mean");
+    remove_figures(result, "work.shadow_taps_p95");
     result.prepare_bytes = 1000;
     return result;
 }
 
 /// Of version 0.1.0, which had none.
 CellResult without_footprint(CellResult cell) {
-    cell.image->footprint.reset();
+    remove_figures(cell, "image.footprint");
     return cell;
 }
 
@@ -86,43 +105,45 @@ TEST(Quality, EqualResultsAreTheSame) {
 
 TEST(Quality, ADecidingFigureDecidesByItsDirectionBeyondItsTolerances) {
     using enum QualityVerdict;
-    const auto p99 = [](double value) { return [value](CellResult& r) { r.error->uv_texels->p99 = value; }; };
+    const auto p99 = [](double value) {
+        return [value](CellResult& r) { set_figure(r, "error.uv_texels.p99", value); };
+    };
     expect_verdict(p99(0.9), worse);
     expect_verdict(p99(0.08), better);
     expect_verdict(p99(0.845), same);
-    expect_verdict([](CellResult& r) { r.error->uv_texels->mean = 0.3; }, worse);
-    expect_verdict([](CellResult& r) { r.error->uv_texels->mean = 0.24; }, same);
-    expect_verdict([](CellResult& r) { r.error->missed = 0.0115; }, worse);
-    expect_verdict([](CellResult& r) { r.error->false_hits = 0; }, better);
-    expect_verdict([](CellResult& r) { r.error->missed = 0.0109; }, same);
-    expect_verdict([](CellResult& r) { r.image->footprint->flip = 0.103; }, worse);
-    expect_verdict([](CellResult& r) { r.image->footprint->flip = 0.05; }, better);
-    expect_verdict([](CellResult& r) { r.image->footprint->flip = 0.1015; }, same);
-    expect_verdict([](CellResult& r) { r.error->shadow->mean = 0.03; }, worse);
-    expect_verdict([](CellResult& r) { r.error->shadow->mean = 0.024; }, same);
-    expect_verdict([](CellResult& r) { r.motion->texels->mean = 0.6; }, worse);
-    expect_verdict([](CellResult& r) { r.motion->texels->mean = 0.52; }, same);
-    expect_verdict([](CellResult& r) { r.motion->flip->mean = 0.05; }, better);
-    expect_verdict([](CellResult& r) { r.motion->flip->mean = 0.104; }, same);
+    expect_verdict([](CellResult& r) { set_figure(r, "error.uv_texels.mean", 0.3); }, worse);
+    expect_verdict([](CellResult& r) { set_figure(r, "error.uv_texels.mean", 0.24); }, same);
+    expect_verdict([](CellResult& r) { set_figure(r, "error.missed", 0.0115); }, worse);
+    expect_verdict([](CellResult& r) { set_figure(r, "error.false_hits", 0); }, better);
+    expect_verdict([](CellResult& r) { set_figure(r, "error.missed", 0.0109); }, same);
+    expect_verdict([](CellResult& r) { set_figure(r, "image.footprint.flip", 0.103); }, worse);
+    expect_verdict([](CellResult& r) { set_figure(r, "image.footprint.flip", 0.05); }, better);
+    expect_verdict([](CellResult& r) { set_figure(r, "image.footprint.flip", 0.1015); }, same);
+    expect_verdict([](CellResult& r) { set_figure(r, "error.shadow.mean", 0.03); }, worse);
+    expect_verdict([](CellResult& r) { set_figure(r, "error.shadow.mean", 0.024); }, same);
+    expect_verdict([](CellResult& r) { set_figure(r, "motion.texels.mean", 0.6); }, worse);
+    expect_verdict([](CellResult& r) { set_figure(r, "motion.texels.mean", 0.52); }, same);
+    expect_verdict([](CellResult& r) { set_figure(r, "motion.flip.mean", 0.05); }, better);
+    expect_verdict([](CellResult& r) { set_figure(r, "motion.flip.mean", 0.104); }, same);
 }
 
 TEST(Quality, ToleranceOfALargeErrorIsAShareOfIt) {
     CellResult base = result();
-    base.error->uv_texels->p99 = 8;
+    set_figure(base, "error.uv_texels.p99", 8);
     CellResult changed = base;
-    changed.error->uv_texels->p99 = 8.3;
+    set_figure(changed, "error.uv_texels.p99", 8.3);
     EXPECT_EQ(compare(base, changed).verdict, QualityVerdict::same);
-    changed.error->uv_texels->p99 = 8.6;
+    set_figure(changed, "error.uv_texels.p99", 8.6);
     EXPECT_EQ(compare(base, changed).verdict, QualityVerdict::worse);
 }
 
 TEST(Quality, AnErrorThatIsNoneOnOneSideCountsInItsUnit) {
     CellResult exact = result();
-    exact.error->uv_texels->p99 = 0;
+    set_figure(exact, "error.uv_texels.p99", 0);
     CellResult changed = exact;
-    changed.error->uv_texels->p99 = 0.04;
+    set_figure(changed, "error.uv_texels.p99", 0.04);
     EXPECT_EQ(compare(exact, changed).verdict, QualityVerdict::same);
-    changed.error->uv_texels->p99 = 0.06;
+    set_figure(changed, "error.uv_texels.p99", 0.06);
     EXPECT_EQ(compare(exact, changed).verdict, QualityVerdict::worse);
     EXPECT_EQ(compare(changed, exact).verdict, QualityVerdict::better);
 }
@@ -130,14 +151,14 @@ TEST(Quality, AnErrorThatIsNoneOnOneSideCountsInItsUnit) {
 TEST(Quality, MissedAndFalseHitsCountTogether) {
     expect_verdict(
         [](CellResult& r) {
-            r.error->missed = 0.015;
-            r.error->false_hits = 0.015;
+            set_figure(r, "error.missed", 0.015);
+            set_figure(r, "error.false_hits", 0.015);
         },
         QualityVerdict::same);
     expect_verdict(
         [](CellResult& r) {
-            r.error->missed += 0.0006;
-            r.error->false_hits += 0.0006;
+            set_figure(r, "error.missed", *value_of("error.missed", r) + 0.0006);
+            set_figure(r, "error.false_hits", *value_of("error.false_hits", r) + 0.0006);
         },
         QualityVerdict::worse);
 }
@@ -145,15 +166,15 @@ TEST(Quality, MissedAndFalseHitsCountTogether) {
 // Linear refinement put back: the error falls to a tenth, while one pixel's normal is further off than any before.
 TEST(Quality, WhatDoesNotDecideNeverMakesABetterPictureWorse) {
     const QualityComparison comparison = quality_of([](CellResult& r) {
-        r.error->uv_texels->p99 = 0.08;
-        r.error->normal_deg->max = 60;
-        r.error->depth->mean = -0.002;
-        r.error->coverage_iou = 0.9;
-        r.image->flip = 0.4;
-        r.image->ssim = 0.5;
-        r.work->unconverged = 0.5;
-        r.work->taps_mean = 30;
-        r.motion->hit_once = 20;
+        set_figure(r, "error.uv_texels.p99", 0.08);
+        set_figure(r, "error.normal_deg.max", 60);
+        set_figure(r, "error.depth.mean", -0.002);
+        set_figure(r, "error.coverage_iou", 0.9);
+        set_figure(r, "image.flip", 0.4);
+        set_figure(r, "image.ssim", 0.5);
+        set_figure(r, "work.unconverged", 0.5);
+        set_figure(r, "work.taps_mean", 30);
+        set_figure(r, "motion.hit_once", 20);
     });
     EXPECT_EQ(comparison.verdict, QualityVerdict::better);
     EXPECT_EQ(comparison.changes[0].field, "error.uv_texels.p99");
@@ -165,10 +186,10 @@ TEST(Quality, WhatDoesNotDecideNeverMakesABetterPictureWorse) {
 
 TEST(Quality, WhatInformsHasItsDirectionToo) {
     const QualityComparison comparison = quality_of([](CellResult& r) {
-        r.image->ssim = 0.8;
-        r.error->normal_deg->max = 2;
-        r.error->depth->mean = -0.002;
-        r.error->compared = 64000;
+        set_figure(r, "image.ssim", 0.8);
+        set_figure(r, "error.normal_deg.max", 2);
+        set_figure(r, "error.depth.mean", -0.002);
+        set_figure(r, "error.compared", 64000);
     });
     EXPECT_EQ(comparison.verdict, QualityVerdict::same);
     ASSERT_THAT(fields_of(comparison),
@@ -190,27 +211,27 @@ TEST(Quality, TimesAreNoQuality) {
 TEST(Quality, SomeFiguresBetterAndOthersWorseIsMixed) {
     expect_verdict(
         [](CellResult& r) {
-            r.error->uv_texels->p99 = 0.1;
-            r.error->missed = 0.02;
+            set_figure(r, "error.uv_texels.p99", 0.1);
+            set_figure(r, "error.missed", 0.02);
         },
         QualityVerdict::mixed);
     // A loss within the tolerance takes nothing from a gain beyond it.
     expect_verdict(
         [](CellResult& r) {
-            r.error->uv_texels->p99 = 0.1;
-            r.error->missed = 0.0105;
+            set_figure(r, "error.uv_texels.p99", 0.1);
+            set_figure(r, "error.missed", 0.0105);
         },
         QualityVerdict::better);
 }
 
 TEST(Quality, WhatMattersMostComesFirst) {
     const QualityComparison comparison = quality_of([](CellResult& r) {
-        r.error->normal_deg->max = 90;    // 174 tolerances, and informs
-        r.error->uv_texels->mean = 0.22;  // deciding, within its tolerance
-        r.error->uv_texels->p99 = 0.9;    // 2 tolerances
-        r.image->footprint->flip = 0.05;  // 25 tolerances
-        r.motion->flip = std::nullopt;    // deciding, and unknown of one side
-        r.image->rmse = 0.031;            // informs, half a tolerance
+        set_figure(r, "error.normal_deg.max", 90);    // 174 tolerances, and informs
+        set_figure(r, "error.uv_texels.mean", 0.22);  // deciding, within its tolerance
+        set_figure(r, "error.uv_texels.p99", 0.9);    // 2 tolerances
+        set_figure(r, "image.footprint.flip", 0.05);  // 25 tolerances
+        remove_figures(r, "motion.flip");             // deciding, and unknown of one side
+        set_figure(r, "image.rmse", 0.031);           // informs, half a tolerance
     });
     EXPECT_THAT(fields_of(comparison),
                 ElementsAre("image.footprint.flip", "error.uv_texels.p99", "motion.flip.mean", "error.uv_texels.mean",
@@ -221,7 +242,7 @@ TEST(Quality, WhatMattersMostComesFirst) {
 }
 
 TEST(Quality, AFigureThatOneSideLacksDecidesNothingAndIsNamed) {
-    const QualityComparison comparison = quality_of([](CellResult& r) { r.motion->texels = std::nullopt; });
+    const QualityComparison comparison = quality_of([](CellResult& r) { remove_figures(r, "motion.texels"); });
     EXPECT_EQ(comparison.verdict, QualityVerdict::same);
     ASSERT_FALSE(comparison.changes.empty());
     EXPECT_EQ(comparison.changes[0].field, "motion.texels.mean");
@@ -232,15 +253,17 @@ TEST(Quality, AFigureThatOneSideLacksDecidesNothingAndIsNamed) {
 
 TEST(Quality, WhereOneSideHasNothingToCompareThatSideIsWorse) {
     const auto hits_nothing = [](CellResult& r) {
-        r.error->compared = 0;
-        r.error->uv_texels = r.error->depth = r.error->normal_deg = std::nullopt;
+        set_figure(r, "error.compared", 0);
+        for (const char* group : {"error.uv_texels", "error.depth", "error.normal_deg"})
+            remove_figures(r, group);
     };
     expect_verdict(hits_nothing, QualityVerdict::worse);
     EXPECT_EQ(quality_of(hits_nothing).changes[0].field, "error.compared");
     // A mean over no light is none, and not the best one.
     expect_verdict(
         [](CellResult& r) {
-            r.error->shadow = CellResult::ShadowErrors{0, 0, 0, 0, 0.001};
+            set_group(r, "error.shadow", 0);
+            set_figure(r, "error.shadow.truth_standard_error", 0.001);
         },
         QualityVerdict::worse);
     const CellResult none = changed_by(hits_nothing);
@@ -249,8 +272,8 @@ TEST(Quality, WhereOneSideHasNothingToCompareThatSideIsWorse) {
 
 TEST(Quality, FlipOverTheWholePictureStandsInWhereASideHasNoneOverTheFootprint) {
     CellResult changed = result();
-    changed.image->flip = 0.2;
-    changed.image->footprint->flip = 0.5;
+    set_figure(changed, "image.flip", 0.2);
+    set_figure(changed, "image.footprint.flip", 0.5);
     for (const CellResult& base : {without_footprint(result()), result()}) {
         const QualityComparison comparison = compare(base, without_footprint(changed));
         EXPECT_EQ(comparison.verdict, QualityVerdict::better);
@@ -266,36 +289,39 @@ TEST(Quality, FlipOverTheWholePictureStandsInWhereASideHasNoneOverTheFootprint) 
 
 TEST(Quality, WithoutADecidingFigureOfBothSidesThereIsNoVerdict) {
     CellResult base;
-    base.work = CellResult::Work{};
+    set_group(base, "work", 0);
     CellResult changed = base;
-    changed.work->taps_mean = 5;
+    set_figure(changed, "work.taps_mean", 5);
     EXPECT_EQ(compare(base, changed).verdict, QualityVerdict::not_comparable);
     EXPECT_EQ(compare(base, result()).verdict, QualityVerdict::not_comparable);
 }
 
 TEST(Quality, RoundingIsNoChange) {
-    EXPECT_THAT(quality_of([](CellResult& r) { r.error->uv_texels->max = 3.0002; }).changes, IsEmpty());
-    EXPECT_EQ(quality_of([](CellResult& r) { r.error->uv_texels->max = 3.0004; }).changes.size(), 1U);
-    EXPECT_THAT(quality_of([](CellResult& r) { r.error->uv_texels->p50 += 0.9e-6; }).changes, IsEmpty());
+    EXPECT_THAT(quality_of([](CellResult& r) { set_figure(r, "error.uv_texels.max", 3.0002); }).changes, IsEmpty());
+    EXPECT_EQ(quality_of([](CellResult& r) { set_figure(r, "error.uv_texels.max", 3.0004); }).changes.size(), 1U);
+    EXPECT_THAT(quality_of([](CellResult& r) {
+                    set_figure(r, "error.uv_texels.p50", *value_of("error.uv_texels.p50", r) + 0.9e-6);
+                }).changes,
+                IsEmpty());
 }
 
 TEST(Quality, OtherFiguresDecideWhereTheyAreChosen) {
     const std::vector<DecidingFigure> chosen = {deciding_figure({find_figure("image.psnr")}),
                                                 deciding_figure({find_figure("work.taps_mean")})};
     CellResult changed = result();
-    changed.error->uv_texels->p99 = 5;
+    set_figure(changed, "error.uv_texels.p99", 5);
     EXPECT_EQ(compare_quality(result(), changed, chosen).verdict, QualityVerdict::same);
-    changed.work->taps_mean = 18;
+    set_figure(changed, "work.taps_mean", 18);
     EXPECT_EQ(compare_quality(result(), changed, chosen).verdict, QualityVerdict::worse);
-    changed.image->psnr = 31;
+    set_figure(changed, "image.psnr", 31);
     EXPECT_EQ(compare_quality(result(), changed, chosen).verdict, QualityVerdict::mixed);
 }
 
 TEST(Quality, AnImageWithoutAnErrorHasTheBestPsnr) {
     const std::vector<DecidingFigure> psnr = {deciding_figure({find_figure("image.psnr")})};
     CellResult perfect = result();
-    perfect.image->psnr = std::nullopt;
-    perfect.image->rmse = 0;
+    remove_figures(perfect, "image.psnr");
+    set_figure(perfect, "image.rmse", 0);
     const QualityComparison lost = compare_quality(perfect, result(), psnr);
     EXPECT_EQ(lost.verdict, QualityVerdict::worse);
     EXPECT_EQ(lost.changes[0].base, std::numeric_limits<double>::infinity());

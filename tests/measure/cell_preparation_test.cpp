@@ -68,7 +68,7 @@ TEST_F(CellPreparation, ACellOfUnconvergedPixelsNamesWhatCapsThem) {
     EXPECT_EQ(capped.status, CellStatus::failed);
     EXPECT_THAT(capped.reason, AllOf(HasSubstr("left their loop at the iteration cap"),
                                      HasSubstr("raise max_steps (now 1, at most 65536)"), Not(HasSubstr("min_steps"))));
-    EXPECT_TRUE(capped.error->uv_texels) << "its figures are kept";
+    EXPECT_TRUE(value_of("error.uv_texels.p99", capped)) << "its figures are kept";
     EXPECT_EQ(prepare(shipped(), "qdm").status, CellStatus::ok);
 }
 
@@ -102,7 +102,7 @@ TEST_F(CellPreparation, ACellWhoseLoopsTheDeviceEndedIsFailed) {
     EXPECT_THAT(result.reason, AllOf(HasSubstr("the device ended the loops of 100 % of the pixels"),
                                      HasSubstr("after 65535 iterations of all of them together"),
                                      HasSubstr("give each loop an end of its own that is sooner")));
-    EXPECT_GT(result.work->taps_mean, 60000) << "its figures are kept";
+    EXPECT_GT(value_of("work.taps_mean", result).value(), 60000) << "its figures are kept";
 }
 
 }  // namespace

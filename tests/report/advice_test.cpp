@@ -1,6 +1,7 @@
 #include "report/advice.hpp"
 
 #include "report/advice_format.hpp"
+#include "support/cell_figures.hpp"
 #include "support/error_message.hpp"
 
 #include <fmt/format.h>
@@ -36,14 +37,15 @@ CellResult measured(const std::string& setting, const Figures& figures, double v
     draw.ci95_ms = {figures.ms * (1 - figures.half_interval), figures.ms * (1 + figures.half_interval)};
     cell.time["draw"] = draw;
     cell.ns_per_pixel = 100 * figures.ms;
-    cell.work = CellResult::Work{};
-    cell.work->covered_pixels = 5000;
-    CellResult::Errors errors;
-    errors.uv_texels = Summary{};
-    errors.uv_texels->p99 = figures.uv_p99;
-    errors.missed = figures.wrong;
-    cell.error = errors;
-    cell.image = CellResult::ImageFields{0.5, 10, 0.5, 0.5, CellResult::FootprintFields{figures.flip, 30, 0.9, 0.1}};
+    set_figures(cell, {{"work.covered_pixels", 5000},
+                       {"error.uv_texels.p99", figures.uv_p99},
+                       {"error.missed", figures.wrong},
+                       {"error.false_hits", 0},
+                       {"image.flip", 0.5},
+                       {"image.footprint.flip", figures.flip},
+                       {"image.footprint.psnr", 30},
+                       {"image.footprint.ssim", 0.9},
+                       {"image.footprint.rmse", 0.1}});
     return cell;
 }
 
@@ -177,8 +179,8 @@ TEST(Advice, ARunWithoutErrorsOverTheFootprintIsRankedByTheWholePictureAndThatIs
     EXPECT_EQ(ranking_figure(cells).path, "image.footprint.flip");
     EXPECT_THAT(format_advice(ask(cells, {budget(200)}), AdviceFormat::table, 100), Not(HasSubstr("beyond the quad")));
     for (CellResult& cell : cells) {
-        cell.image->flip = *cell.image->footprint->flip + 0.1;
-        cell.image->footprint.reset();
+        set_figure(cell, "image.flip", *value_of("image.footprint.flip", cell) + 0.1);
+        remove_figures(cell, "image.footprint");
     }
     EXPECT_EQ(ranking_figure(cells).path, "image.flip");
     const Advice advice = ask(cells, {budget(200)});
@@ -192,12 +194,13 @@ TEST(Advice, ARunWithoutErrorsOverTheFootprintIsRankedByTheWholePictureAndThatIs
 TEST(Advice, MoreIsBetterWhereTheFigureSaysSo) {
     const std::vector<CellResult> cells = {measured("a", {1}), measured("b", {2})};
     std::vector<CellResult> changed = cells;
-    changed[0].image->footprint->ssim = 0.8;
-    changed[1].image->footprint->ssim = 0.97;
+    set_figure(changed[0], "image.footprint.ssim", 0.8);
+    set_figure(changed[1], "image.footprint.ssim", 0.97);
     const FigureDeclaration* ssim = find_figure("image.footprint.ssim");
     EXPECT_EQ(name(advise(changed, {{{ssim, 0.95}}, ssim}).views.front().best), "b");
     EXPECT_EQ(name(advise(changed, {{budget(5)}, ssim}).views.front().best), "b");
-    changed[1].image->footprint->rmse = 0;
+    set_figure(changed[1], "image.footprint.rmse", 0);
+    remove_figures(changed[1], "image.footprint.psnr");
     EXPECT_EQ(name(advise(changed, {{budget(5)}, find_figure("image.footprint.psnr")}).views.front().best), "b")
         << "without an error its PSNR is infinite";
     EXPECT_THAT(format_advice(advise(changed, {{{ssim, 0.99}}, ssim}), AdviceFormat::table, 100),

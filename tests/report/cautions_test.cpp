@@ -1,5 +1,7 @@
 #include "report/cautions.hpp"
 
+#include "support/cell_figures.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,8 +17,8 @@ CellResult cell_of(const std::string& projection, double view_angle, double azim
     CellResult cell;
     cell.cell = "pom | view_angle=60";
     cell.axes = {{"projection", projection}, {"view_angle", view_angle}, {"azimuth", azimuth}};
-    cell.error = CellResult::Errors{};
-    cell.error->ties = ties;
+    set_figures(cell, {{"error.missed", 0}, {"error.false_hits", 0}});
+    set_figure(cell, "error.ties", ties);
     return cell;
 }
 
@@ -38,7 +40,7 @@ TEST(Cautions, ManyTiesAreNamedWithTheViewThatHasMost) {
 
 TEST(Cautions, ARunThatKnewNoTiesHasNone) {
     CellResult cell = cell_of("perspective", 60, -90);
-    cell.error->ties.reset();
+    remove_figures(cell, "error.ties");
     EXPECT_THAT(cautions({cell}), IsEmpty());
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "store/run_folder.hpp"
+#include "support/cell_figures.hpp"
 
 namespace reliefbench {
 
@@ -23,18 +24,32 @@ inline Run sample_run() {
     cell.ns_per_pixel = 12.5;
     cell.prepare_ms = 2;
     cell.prepare_bytes = 87381;
-    cell.work = {17.5, 18, 70, 16, 16, 0.25, 65536};
+    set_figures(cell, {{"work.taps_mean", 17.5},
+                       {"work.taps_p95", 18},
+                       {"work.texels_mean", 70},
+                       {"work.steps_mean", 16},
+                       {"work.steps_p95", 16},
+                       {"work.unconverged", 0.25},
+                       {"work.covered_pixels", 65536}});
     cell.pipeline["fragment_shader_invocations"] = 65536;
-    CellResult::Errors errors;
-    errors.uv_texels = Summary{0.1, 0.2, 0.05, 0.5, 0.75, 3};
-    errors.depth = Summary{-0.001, 0.002, 0.0005, 0.005, 0.01, 0.03};
-    errors.compared = 65000;
-    errors.missed = 0.001;
-    errors.false_hits = 0.002;
-    errors.coverage_iou = 0.9;
-    cell.error = errors;
-    cell.image = CellResult::ImageFields{{}, 30, {}, 0.03, CellResult::FootprintFields{0.0625, 36, {}, 0.015}};
-    cell.motion = CellResult::Motion{CellResult::MotionFigure{0.25, 0.5, 4}, {}, 500000, 12, 700};
+    set_summary(cell, "error.uv_texels", {0.1, 0.2, 0.05, 0.5, 0.75, 3});
+    set_summary(cell, "error.depth", {-0.001, 0.002, 0.0005, 0.005, 0.01, 0.03});
+    set_figures(cell, {{"error.compared", 65000},
+                       {"error.missed", 0.001},
+                       {"error.false_hits", 0.002},
+                       {"error.outside_quad.pixels", 0},
+                       {"error.coverage_iou", 0.9}});
+    set_figures(cell, {{"image.psnr", 30},
+                       {"image.rmse", 0.03},
+                       {"image.footprint.flip", 0.0625},
+                       {"image.footprint.psnr", 36},
+                       {"image.footprint.rmse", 0.015}});
+    set_figures(cell, {{"motion.texels.mean", 0.25},
+                       {"motion.texels.p95", 0.5},
+                       {"motion.texels.max", 4},
+                       {"motion.compared", 500000},
+                       {"motion.hit_once", 12},
+                       {"motion.unseen", 700}});
     run.cells.push_back(cell);
     CellResult skipped;
     skipped.cell = "tessellation | heightmap=bricks";

@@ -1,6 +1,7 @@
 #include "report/table.hpp"
 
 #include "report/text_layout.hpp"
+#include "support/cell_figures.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,14 +30,11 @@ CellResult measured(const std::string& id, const Figures& figures) {
     cell.time["draw"] = {figures.ms, 0.012, {0, 0}, 15, 1};
     cell.ns_per_pixel = 15.25;
     cell.prepare_ms = 0;
-    cell.work = CellResult::Work{17.5, 18, 17.5, 16, 16, 0, 65536};
-    CellResult::Errors errors;
-    errors.uv_texels = Summary{0.5, 0.6, 0.25, 0.9, figures.uv_p99, 5};
-    errors.depth = Summary{-0.001, 0.002, 0.0005, 0.005, 0.0123, 0.03};
-    errors.missed = figures.missed;
-    errors.false_hits = figures.false_hits;
-    cell.error = errors;
-    cell.image = CellResult::ImageFields{0.25, 24, 0.8, 0.06, CellResult::FootprintFields{0.125, 30, 0.9, 0.03}};
+    set_figures(cell, {{"work.taps_mean", 17.5}, {"work.taps_p95", 18}, {"work.covered_pixels", 65536}});
+    set_summary(cell, "error.uv_texels", {0.5, 0.6, 0.25, 0.9, figures.uv_p99, 5});
+    set_summary(cell, "error.depth", {-0.001, 0.002, 0.0005, 0.005, 0.0123, 0.03});
+    set_figures(cell, {{"error.missed", figures.missed}, {"error.false_hits", figures.false_hits}});
+    set_figures(cell, {{"image.flip", 0.25}, {"image.footprint.flip", 0.125}});
     return cell;
 }
 
@@ -79,7 +77,7 @@ TEST(Table, ShowsTheFiguresOfACell) {
 
 TEST(Table, ShowsMoreWhereThereIsRoomAndLessWhereThereIsNot) {
     CellResult cell = measured("pom max_steps=16 | v", {1.2345, 0.75, 0.00125, 0.0005});
-    cell.motion = CellResult::Motion{CellResult::MotionFigure{0.0625, 1, 2}, {}, 10, 0, 0};
+    set_figures(cell, {{"motion.texels.mean", 0.0625}, {"motion.compared", 10}});
     EXPECT_EQ(lines_of(format_table({cell}, {.columns = 140}))[1],
               "                               ms  ns/pixel  taps  prep ms  uv p50  uv p99  depth p99   flip  missed %"
               "  false %  motion");
@@ -151,8 +149,8 @@ CellResult shadowed(const std::string& setting, const std::string& mode, double 
         measured(setting + " | heightmap=bricks" + (mode == "off" ? "" : " self_shadow=" + mode), {ms, 1});
     cell.axes = {{"heightmap", "bricks"}, {"self_shadow", mode}, {"depth_write", "on"}};
     if (mode == "off") return cell;
-    cell.error->shadow = CellResult::ShadowErrors{0.0625, 0.1, 0.2, 1000, {}};
-    cell.work->shadow_taps_mean = 21.5;
+    set_figures(cell, {{"error.shadow.mean", 0.0625}, {"error.shadow.compared", 1000}});
+    set_figure(cell, "work.shadow_taps_mean", 21.5);
     return cell;
 }
 
@@ -185,7 +183,7 @@ TEST(Table, OneValueOfAnAxisStaysInTheView) {
 TEST(Table, FlipIsOverTheFootprintAndOfTheWholePictureInOldRuns) {
     CellResult cell = measured("a | v", {});
     EXPECT_THAT(format_table({cell}), AllOf(HasSubstr(" 0.125 "), HasSubstr("over the footprint")));
-    cell.image->footprint.reset();
+    remove_figures(cell, "image.footprint");
     const std::string old = format_table({cell, measured("b | v", {})});
     EXPECT_THAT(old, AllOf(HasSubstr(" 0.250 "), Not(HasSubstr(" 0.125 ")), HasSubstr("of the whole picture"),
                            HasSubstr("relief beyond the quad")));
@@ -207,16 +205,16 @@ TEST(Table, CautionsStandBelowIt) {
 
 TEST(Table, WhatIsUndefinedIsADash) {
     CellResult cell = measured("a | v", {});
-    cell.error->uv_texels.reset();
-    cell.error->depth.reset();
-    cell.work.reset();
+    remove_figures(cell, "error.uv_texels");
+    remove_figures(cell, "error.depth");
+    remove_figures(cell, "work");
     cell.ns_per_pixel.reset();
     cell.prepare_ms.reset();
-    cell.image.reset();
+    remove_figures(cell, "image");
     const auto lines = lines_of(format_table({cell}, {.columns = 140}));
     EXPECT_EQ(lines[2],
               "  a  1.000 ± 0.012         -     -        -       -       -          -     -         0        0");
-    cell.error.reset();
+    remove_figures(cell, "error");
     cell.time.clear();
     EXPECT_EQ(lines_of(format_table({cell}, {.columns = 140}))[2],
               "  a   -         -     -        -       -       -          -     -         -        -");

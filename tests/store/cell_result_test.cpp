@@ -1,5 +1,6 @@
 #include "store/cell_result.hpp"
 
+#include "support/cell_figures.hpp"
 #include "support/error_message.hpp"
 
 #include <gmock/gmock.h>
@@ -20,32 +21,54 @@ CellResult full_result() {
     result.axes["view_angle"] = 60;
     result.parameters["max_steps"] = 16;
     result.parameters["bias"] = 0.1;
-    result.time["draw"] = {1.0 / 3, 0.01, {0.3, 0.4}, 15, 4, 5, 2};
-    result.time["quadtree"] = {2, 0, {2, 2}, 3, 1, 3, 0};
+    result.time["draw"] = {1.0 / 3, 0.01, {0.3, 0.4}, 15, 4, 5, 2, 0.3125};
+    result.time["quadtree"] = {2, 0, {2, 2}, 3, 1, 3, 0, 2};
     result.ns_per_pixel = 12.5;
     result.stop = StopReason::stalled;
     result.throttled_rounds = 3;
     result.prepare_ms = 0.75;
     result.prepare_bytes = 87381;
-    result.work = {17.5, 18, 70, 16, 16, 0.25, 65536, 21.5, 31};
+    set_figures(result, {{"work.taps_mean", 17.5},
+                         {"work.taps_p95", 18},
+                         {"work.texels_mean", 70},
+                         {"work.steps_mean", 16},
+                         {"work.steps_p95", 16},
+                         {"work.unconverged", 0.25},
+                         {"work.covered_pixels", 65536},
+                         {"work.shadow_taps_mean", 21.5},
+                         {"work.shadow_taps_p95", 31}});
     result.pipeline["fragment_shader_invocations"] = 65536;
     result.executable["fragment"]["register_count"] = 40;
-    CellResult::Errors errors;
-    errors.uv_texels = Summary{0.1, 0.2, 0.05, 0.5, 1e-300, 3};
-    errors.depth = Summary{-0.001, 0.002, 0.0005, 0.005, 0.01, 0.03};
-    errors.normal_deg = Summary{1, 2, 3, 4, 5, 6};
-    errors.compared = 65000;
-    errors.missed = 0.0625;
-    errors.false_hits = 0.125;
-    errors.ties = 0.0625;
-    errors.outside_quad_pixels = 12;
-    errors.outside_quad_covered = 0.5;
-    errors.coverage_iou = 0.9;
-    errors.shadow = CellResult::ShadowErrors{0.02, 0.01, 0.015, 64000, 0.001};
-    errors.wrong_surface = 0.003;
-    result.error = errors;
-    result.image = CellResult::ImageFields{0.1, 30, 0.9, 0.03, CellResult::FootprintFields{0.04, 36, 0.95, 0.016}};
-    result.motion = CellResult::Motion{CellResult::MotionFigure{0.5, 2, 8}, {}, 500000, 12, 700};
+    set_summary(result, "error.uv_texels", {0.1, 0.2, 0.05, 0.5, 1e-300, 3});
+    set_summary(result, "error.depth", {-0.001, 0.002, 0.0005, 0.005, 0.01, 0.03});
+    set_summary(result, "error.normal_deg", {1, 2, 3, 4, 5, 6});
+    set_figures(result, {{"error.compared", 65000},
+                         {"error.missed", 0.0625},
+                         {"error.false_hits", 0.125},
+                         {"error.ties", 0.0625},
+                         {"error.outside_quad.pixels", 12},
+                         {"error.outside_quad.covered", 0.5},
+                         {"error.coverage_iou", 0.9},
+                         {"error.wrong_surface", 0.003},
+                         {"error.shadow.mean", 0.02},
+                         {"error.shadow.false_shadow", 0.01},
+                         {"error.shadow.missed_shadow", 0.015},
+                         {"error.shadow.compared", 64000},
+                         {"error.shadow.truth_standard_error", 0.001}});
+    set_figures(result, {{"image.flip", 0.1},
+                         {"image.psnr", 30},
+                         {"image.ssim", 0.9},
+                         {"image.rmse", 0.03},
+                         {"image.footprint.flip", 0.04},
+                         {"image.footprint.psnr", 36},
+                         {"image.footprint.ssim", 0.95},
+                         {"image.footprint.rmse", 0.016}});
+    set_figures(result, {{"motion.texels.mean", 0.5},
+                         {"motion.texels.p95", 2},
+                         {"motion.texels.max", 8},
+                         {"motion.compared", 500000},
+                         {"motion.hit_once", 12},
+                         {"motion.unseen", 700}});
     return result;
 }
 
@@ -59,16 +82,16 @@ TEST(CellResultJson, HasEveryFieldWhereTheFormatSays) {
         "reason": null,
         "time": {
             "draw": {"median_ms": 0.3333333333333333, "mad_ms": 0.01, "ci95_ms": [0.3, 0.4], "n": 15, "repeats": 4,
-                     "rounds": 5, "outliers": 2},
+                     "rounds": 5, "outliers": 2, "lower_quartile_ms": 0.3125},
             "quadtree": {"median_ms": 2.0, "mad_ms": 0.0, "ci95_ms": [2.0, 2.0], "n": 3, "repeats": 1, "rounds": 3,
-                         "outliers": 0},
-            "ns_per_pixel": 12.5, "stop": "stalled", "throttled_rounds": 3
+                         "outliers": 0, "lower_quartile_ms": 2.0},
+            "stop": "stalled", "ns_per_pixel": 12.5, "throttled_rounds": 3
         },
         "prepare": {"ms": 0.75, "bytes": 87381},
-        "work": {"taps_mean": 17.5, "taps_p95": 18.0, "texels_mean": 70.0, "steps_mean": 16.0, "steps_p95": 16.0,
-                 "unconverged": 0.25, "covered_pixels": 65536, "shadow_taps_mean": 21.5, "shadow_taps_p95": 31.0},
         "pipeline": {"fragment_shader_invocations": 65536},
         "executable": {"fragment": {"register_count": 40.0}},
+        "work": {"taps_mean": 17.5, "taps_p95": 18.0, "texels_mean": 70.0, "steps_mean": 16.0, "steps_p95": 16.0,
+                 "unconverged": 0.25, "covered_pixels": 65536, "shadow_taps_mean": 21.5, "shadow_taps_p95": 31.0},
         "error": {
             "uv_texels": {"mean": 0.1, "rms": 0.2, "p50": 0.05, "p95": 0.5, "p99": 1e-300, "max": 3.0},
             "depth": {"mean": -0.001, "rms": 0.002, "p50": 0.0005, "p95": 0.005, "p99": 0.01, "max": 0.03},
@@ -97,25 +120,25 @@ TEST(CellResultJson, ReadsBackTheSameToTheLastBit) {
     EXPECT_EQ(result.stop, StopReason::stalled);
     EXPECT_EQ(result.throttled_rounds, 3U);
     EXPECT_EQ(result.executable.at("fragment").at("register_count"), 40);
-    EXPECT_EQ(result.error->uv_texels->p99, 1e-300);
-    EXPECT_EQ(result.work->covered_pixels, 65536U);
-    EXPECT_EQ(result.image->psnr, 30);
-    EXPECT_EQ(result.image->footprint->flip, 0.04);
-    EXPECT_EQ(result.motion->texels->p95, 2);
-    EXPECT_FALSE(result.motion->flip);
-    EXPECT_EQ(result.motion->unseen, 700U);
+    EXPECT_EQ(value_of("error.uv_texels.p99", result), 1e-300);
+    EXPECT_EQ(value_of("work.covered_pixels", result), 65536);
+    EXPECT_EQ(value_of("image.psnr", result), 30);
+    EXPECT_EQ(value_of("image.footprint.flip", result), 0.04);
+    EXPECT_EQ(value_of("motion.texels.p95", result), 2);
+    EXPECT_FALSE(value_of("motion.flip.mean", result));
+    EXPECT_EQ(value_of("motion.unseen", result), 700);
     EXPECT_EQ(result.status, CellStatus::ok);
 }
 
-TEST(CellResultJson, RunsFromBeforeErrorsOverTheFootprintAreReadAndWrittenAsTheyWere) {
+TEST(CellResultJson, RunsFromBeforeErrorsOverTheFootprintAreRead) {
     Json json = to_json(full_result());
     json["image"].erase("footprint");
     const CellResult result = parse_cell_result(json, "cells.jsonl");
-    EXPECT_EQ(result.image->flip, 0.1);
-    EXPECT_FALSE(result.image->footprint);
-    EXPECT_EQ(to_json(result), json);
+    EXPECT_EQ(value_of("image.flip", result), 0.1);
+    EXPECT_FALSE(is_given(*find_figure("image.footprint.flip"), result));
     json["image"]["footprint"] = nullptr;
-    EXPECT_FALSE(parse_cell_result(json, "cells.jsonl").image->footprint);
+    EXPECT_EQ(to_json(result), json);
+    EXPECT_EQ(to_json(parse_cell_result(json, "cells.jsonl")), json);
 }
 
 TEST(CellResultJson, RunsFromBeforeStoppingRulesAndMotionAreRead) {
@@ -128,7 +151,7 @@ TEST(CellResultJson, RunsFromBeforeStoppingRulesAndMotionAreRead) {
     json["time"]["draw"].erase("outliers");
     const CellResult result = parse_cell_result(json, "cells.jsonl");
     EXPECT_FALSE(result.stop);
-    EXPECT_FALSE(result.motion);
+    EXPECT_FALSE(value_of("motion.compared", result));
     EXPECT_EQ(result.time.at("draw").n, 15U);
 }
 
@@ -149,9 +172,9 @@ TEST(CellResultJson, RunsFromBeforeShadowsAndObjectsAreRead) {
     json["error"].erase("wrong_surface");
     json["error"].erase("ties");
     const CellResult result = parse_cell_result(json, "cells.jsonl");
-    EXPECT_FALSE(result.work->shadow_taps_mean);
-    EXPECT_FALSE(result.error->shadow);
-    EXPECT_FALSE(result.error->ties);
+    for (const char* path : {"work.shadow_taps_mean", "error.shadow.mean", "error.wrong_surface", "error.ties"})
+        EXPECT_FALSE(value_of(path, result)) << path;
+    EXPECT_EQ(value_of("error.missed", result), 0.0625);
 }
 
 TEST(CellResultJson, WhatIsUndefinedIsNullAndReadsBackEmpty) {
@@ -163,39 +186,43 @@ TEST(CellResultJson, WhatIsUndefinedIsNullAndReadsBackEmpty) {
     const Json json = to_json(result);
     EXPECT_EQ(json, Json::parse(R"({
         "cell": "tessellation | heightmap=bricks", "technique": "tessellation", "axes": {}, "parameters": {},
-        "status": "skipped", "reason": "the device has no tessellation", "time": {"ns_per_pixel": null, "stop": null, "throttled_rounds": 0},
-        "prepare": {"ms": null, "bytes": null}, "work": null, "pipeline": {}, "executable": {},
+        "status": "skipped", "reason": "the device has no tessellation", "time": {"stop": null, "ns_per_pixel": null, "throttled_rounds": 0},
+        "prepare": {"ms": null, "bytes": null}, "pipeline": {}, "executable": {}, "work": null,
         "error": null, "image": null, "motion": null})"));
     const CellResult read = parse_cell_result(json, "cells.jsonl");
     EXPECT_EQ(read.status, CellStatus::skipped);
     EXPECT_EQ(read.reason, result.reason);
-    EXPECT_FALSE(read.work);
-    EXPECT_FALSE(read.error);
-    EXPECT_FALSE(read.image);
-    EXPECT_FALSE(read.prepare_bytes);
+    for (const FigureDeclaration& figure : figures())
+        EXPECT_EQ(value_of(figure, read).has_value(), figure.path == "time.throttled_rounds") << figure.path;
 }
 
 TEST(CellResultJson, NothingToCompareIsNullInside) {
     CellResult result = full_result();
-    result.error->uv_texels.reset();
-    result.error->outside_quad_covered.reset();
-    result.image->psnr.reset();
-    result.image->rmse = 0;
+    remove_figures(result, "error.uv_texels");
+    remove_figures(result, "error.outside_quad.covered");
+    set_figure(result, "image.psnr", std::numeric_limits<double>::quiet_NaN());
+    set_figure(result, "image.rmse", 0);
+    // Undefined, each by itself: no pixel had any.
+    set_group(result, "image.footprint", std::numeric_limits<double>::quiet_NaN());
     const Json json = to_json(result);
     EXPECT_TRUE(json["error"]["uv_texels"].is_null());
     EXPECT_TRUE(json["error"]["outside_quad"]["covered"].is_null());
     EXPECT_TRUE(json["image"]["psnr"].is_null());
     EXPECT_EQ(json["image"]["rmse"], 0.0);
+    EXPECT_EQ(json["image"]["footprint"].size(), 4U);
+    EXPECT_TRUE(json["image"]["footprint"]["flip"].is_null());
     const CellResult read = parse_cell_result(json, "cells.jsonl");
-    EXPECT_FALSE(read.error->uv_texels);
-    EXPECT_TRUE(read.error->depth);
-    EXPECT_EQ(read.image->rmse, 0);
+    EXPECT_FALSE(value_of("error.uv_texels.mean", read));
+    EXPECT_TRUE(value_of("error.depth.mean", read));
+    EXPECT_EQ(value_of("image.rmse", read), 0);
+    EXPECT_TRUE(is_given(*find_figure("image.footprint.flip"), read));
+    EXPECT_EQ(to_json(read), json);
 }
 
 TEST(CellResultJson, NumbersThatAreNotFiniteAreNeverWritten) {
     CellResult result = full_result();
     result.ns_per_pixel = std::numeric_limits<double>::infinity();
-    result.image->psnr = std::numeric_limits<double>::quiet_NaN();
+    set_figure(result, "image.psnr", std::numeric_limits<double>::infinity());
     const std::string text = to_json(result).dump();
     EXPECT_THAT(text, testing::HasSubstr("\"ns_per_pixel\":null"));
     EXPECT_THAT(text, testing::HasSubstr("\"psnr\":null"));
@@ -210,7 +237,13 @@ TEST(CellResultJson, ReadingIsStrict) {
     };
     EXPECT_NO_THROW(parse_cell_result(good, "c"));
     EXPECT_EQ(message([](Json& json) { json["extra"] = 1; }).substr(0, 25), "c: $: unknown key \"extra\"");
-    EXPECT_EQ(message([](Json& json) { json["error"].erase("missed"); }), "c: $.error: key \"missed\" is missing");
+    EXPECT_THAT(message([](Json& json) { json["error"]["uv_texels"]["p98"] = 1; }),
+                testing::StartsWith("c: $.error.uv_texels: unknown key \"p98\" (did you mean"));
+    EXPECT_THAT(message([](Json& json) { json["parameter"] = 1; }), testing::HasSubstr("did you mean"));
+    EXPECT_EQ(message([](Json& json) { json["time"]["draw"].erase("n"); }), "c: $.time.draw: key \"n\" is missing");
+    EXPECT_EQ(message([](Json& json) { json["time"]["draw"]["n"] = nullptr; }),
+              "c: $.time.draw: Samples of the draw is null, which every pass has");
+    EXPECT_EQ(message([](Json& json) { json["error"] = 3; }), "c: $.error: expected an object, found 3");
     EXPECT_EQ(message([](Json& json) { json["time"]["draw"]["n"] = -1; }),
               "c: $.time.draw.n: expected an integer of at least 0, found -1");
     EXPECT_EQ(message([](Json& json) { json["time"]["draw"]["ci95_ms"] = {1}; }),
@@ -218,8 +251,10 @@ TEST(CellResultJson, ReadingIsStrict) {
     EXPECT_EQ(message([](Json& json) { json["status"] = "fine"; }),
               "c: $.status: expected one of ok, skipped, failed, found \"fine\"");
     EXPECT_EQ(message([](Json& json) { json["axes"] = 3; }), "c: $.axes: expected an object, found 3");
-    EXPECT_EQ(message([](Json& json) { json["work"]["taps_mean"] = nullptr; }),
-              "c: $.work.taps_mean: expected a number, found null");
+    EXPECT_EQ(message([](Json& json) { json["work"]["taps_mean"] = "many"; }),
+              "c: $.work.taps_mean: expected a number, found \"many\"");
+    EXPECT_EQ(message([](Json& json) { json["error"]["compared"] = 0.5; }),
+              "c: $.error.compared: expected an integer of at least 0, found 0.5");
 }
 
 }  // namespace

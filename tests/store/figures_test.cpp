@@ -1,32 +1,34 @@
 #include "store/figures.hpp"
 
 #include "core/file.hpp"
+#include "store/chosen_figures.hpp"
+#include "support/cell_figures.hpp"
+#include "support/error_message.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <regex>
 #include <set>
 
 namespace reliefbench {
 namespace {
 
-/// With every group that a cell may have.
-CellResult complete_cell() {
-    CellResult cell;
-    cell.time["draw"] = {};
+/// With every figure that a cell may have.
+CellResult complete_cell(const std::shared_ptr<const FigureList>& list = declared_figures()) {
+    CellResult cell(list);
+    cell.cell = "pom | heightmap=bricks";
+    cell.technique = "pom";
     cell.time["draw"].lower_quartile_ms = 1;
-    cell.work = CellResult::Work{};
-    CellResult::Errors errors;
-    errors.uv_texels = errors.depth = errors.normal_deg = Summary{};
-    errors.shadow = CellResult::ShadowErrors{};
-    cell.error = errors;
-    cell.image = CellResult::ImageFields{};
-    cell.image->footprint = CellResult::FootprintFields{};
-    CellResult::Motion motion;
-    motion.texels = motion.flip = CellResult::MotionFigure{};
-    cell.motion = motion;
+    cell.ns_per_pixel = cell.prepare_ms = 1;
+    cell.prepare_bytes = 1;
+    for (const FigureDeclaration& figure : list->all())
+        set_figure(cell, figure.path, 1);
     return cell;
 }
 
@@ -42,11 +44,9 @@ Json::json_pointer pointer_to(std::string path) {
 /// A different number in every place that may have one.
 Json distinct_numbers() {
     Json json = to_json(complete_cell());
-    json["cell"] = "pom | heightmap=bricks";
-    json["technique"] = "pom";
     int next = 1;
     for (const FigureDeclaration& figure : figures()) {
-        Json& number = json.at(pointer_to(std::string(figure.path)));
+        Json& number = json.at(pointer_to(figure.path));
         number = next++;
     }
     return json;
@@ -55,11 +55,11 @@ Json distinct_numbers() {
 TEST(Figures, AreAllNumbersOfACellAndNothingElse) {
     std::set<std::string> declared;
     for (const FigureDeclaration& figure : figures()) {
-        const bool is_new = declared.insert(pointer_to(std::string(figure.path)).to_string()).second;
+        const bool is_new = declared.insert(pointer_to(figure.path).to_string()).second;
         EXPECT_TRUE(is_new) << figure.path << " is declared twice";
         EXPECT_FALSE(figure.label.empty()) << figure.path;
     }
-    const std::set<std::string> words = {"/cell",   "/technique", "/axes",     "/parameters",    "/status",
+    const std::set<std::string> words = {"/cell",   "/technique", "/axes",     "/parameters", "/status",
                                          "/reason", "/time/stop", "/pipeline", "/executable"};
     std::set<std::string> there;
     const Json flat = to_json(complete_cell()).flatten();
@@ -73,27 +73,34 @@ TEST(Figures, HaveTheValueThatTheFileHasAtTheirPath) {
     const Json json = distinct_numbers();
     const CellResult cell = parse_cell_result(json, "cells.jsonl");
     for (const FigureDeclaration& figure : figures()) {
-        const std::optional<double> value = figure.value(cell);
+        const std::optional<double> value = value_of(figure, cell);
         ASSERT_TRUE(value) << figure.path;
-        EXPECT_EQ(*value, json.at(pointer_to(std::string(figure.path)))) << figure.path;
+        EXPECT_EQ(*value, json.at(pointer_to(figure.path))) << figure.path;
     }
 }
 
 TEST(Figures, OfACellWithoutResultsHaveNoValue) {
     for (const FigureDeclaration& figure : figures()) {
         if (figure.path == "time.throttled_rounds") continue;
-        EXPECT_FALSE(figure.value(CellResult())) << figure.path;
+        EXPECT_FALSE(value_of(figure, CellResult())) << figure.path;
     }
 }
 
+TEST(Figures, CountsAreWrittenAsWholeNumbers) {
+    const Json json = to_json(complete_cell());
+    for (const FigureDeclaration& figure : figures())
+        EXPECT_EQ(json.at(pointer_to(figure.path)).is_number_integer(), figure.is_count) << figure.path;
+}
+
 TEST(Figures, AnImageWithoutAnErrorHasTheBestPsnr) {
-    CellResult cell = complete_cell();
+    CellResult cell;
     const FigureDeclaration* psnr = find_figure("image.psnr");
     ASSERT_NE(psnr, nullptr);
     EXPECT_EQ(psnr->better, Better::higher);
-    EXPECT_FALSE(psnr->value(cell)) << "nothing is known of the image";
-    cell.image->rmse = 0;
-    EXPECT_TRUE(std::isinf(psnr->value(cell).value()));
+    EXPECT_FALSE(value_of(*psnr, cell)) << "nothing is known of the image";
+    set_figures(cell, {{"image.psnr", std::numeric_limits<double>::infinity()}, {"image.rmse", 0}});
+    EXPECT_TRUE(std::isinf(value_of(*psnr, cell).value()));
+    EXPECT_TRUE(to_json(cell).at("image").at("psnr").is_null());
 }
 
 TEST(Figures, SignedMeansAndCountsHaveNoDirection) {
@@ -102,6 +109,59 @@ TEST(Figures, SignedMeansAndCountsHaveNoDirection) {
     EXPECT_EQ(find_figure("error.depth.rms")->better, Better::lower);
     EXPECT_EQ(find_figure("error.coverage_iou")->better, Better::higher);
     EXPECT_EQ(find_figure("error.depth"), nullptr);
+}
+
+TEST(Figures, SayWhatTheyNeed) {
+    for (const FigureDeclaration& figure : figures()) {
+        const bool of_truth = std::regex_match(figure.path, std::regex("(error|image|motion)\\..*"));
+        EXPECT_EQ(is_error(figure), of_truth) << figure.path;
+        EXPECT_EQ(is_time(figure), std::regex_match(figure.path, std::regex("time\\..*|prepare\\.ms"))) << figure.path;
+    }
+    EXPECT_EQ(find_figure("error.shadow.mean")->needs, (std::vector<std::string>{"truth", "lighting", "self_shadow"}));
+    EXPECT_EQ(find_figure("motion.flip.mean")->needs, (std::vector<std::string>{"truth", "motion", "lighting"}));
+    EXPECT_EQ(find_figure("error.wrong_surface")->needs, (std::vector<std::string>{"truth", "object"}));
+}
+
+TEST(Figures, NameOnlyFiguresThatThereAre) {
+    for (const FigureDeclaration& figure : figures()) {
+        for (const std::string& other : {figure.over, figure.infinite_at_zero, figure.stand_in})
+            EXPECT_TRUE(other.empty() || find_figure(other) != nullptr) << figure.path << " names " << other;
+    }
+}
+
+/// Quoted paths of figures in a source file, comments left out.
+std::set<std::string> quoted_paths(const std::filesystem::path& file) {
+    static const std::regex path("\"((time|prepare|work|error|image|motion)\\.[a-z0-9_]+(\\.[a-z0-9_]+)*)\"");
+    const std::string text = std::regex_replace(read_text_file(file), std::regex("//[^\n]*"), "");
+    std::set<std::string> paths;
+    for (std::sregex_iterator at(text.begin(), text.end(), path), end; at != end; ++at)
+        paths.insert((*at)[1]);
+    paths.erase("prepare.comp");  // a shader
+    return paths;
+}
+
+TEST(Figures, AreNamedWhereTheyAreDeclaredAndWhereDefaultsAreChosen) {
+    const std::filesystem::path harness = RELIEFBENCH_SOURCE_DIR "/harness";
+    const std::set<std::string> chosen = quoted_paths(harness / "store/chosen_figures.hpp");
+    EXPECT_GE(chosen.size(), 10U);
+    for (const std::string& path : chosen)
+        EXPECT_NE(find_figure(path), nullptr) << path << " is chosen as a default and is not declared";
+    std::map<std::string, std::set<std::string>> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(harness)) {
+        const std::string extension = entry.path().extension();
+        if (extension != ".cpp" && extension != ".hpp") continue;
+        for (const std::string& path : quoted_paths(entry.path())) {
+            const std::string file = std::filesystem::relative(entry.path(), harness);
+            if (file != "store/chosen_figures.hpp") files[path].insert(file);
+        }
+    }
+    for (const auto& [path, named_in] : files) {
+        if (find_figure(path) == nullptr) continue;
+        EXPECT_EQ(named_in.size(), 1U) << path << " is named in " << testing::PrintToString(named_in);
+        EXPECT_TRUE(named_in.begin()->starts_with("metrics/") || named_in.begin()->starts_with("store/")) << path;
+    }
+    for (const FigureDeclaration& figure : figures())
+        EXPECT_TRUE(files.contains(figure.path)) << figure.path << " stands in no source as it is called";
 }
 
 TEST(Figures, BetterGoesByTheDirection) {
@@ -113,6 +173,77 @@ TEST(Figures, BetterGoesByTheDirection) {
         EXPECT_FALSE(is_better(1, 2, better) && is_better(2, 1, better));
     }
     EXPECT_FALSE(is_better(1, 2, Better::neither) || is_better(2, 1, Better::neither));
+}
+
+Json record_with(const Json& figure) {
+    Json list = figures_to_json();
+    list.push_back(figure);
+    return {{"figures", list}};
+}
+
+const Json off_chart = {{"path", "error.off_chart.mean"},     {"label", "Off the chart"},
+                        {"unit", "fraction of footprint"},    {"better", "lower"},
+                        {"needs", {"truth", "a later need"}}, {"a later key", 1}};
+
+TEST(FiguresOfARun, AreThoseOfThisVersionWhereItDeclaresNoOthers) {
+    EXPECT_EQ(figures_of_record(Json::object(), "run.json"), declared_figures());
+    EXPECT_EQ(figures_of_record({{"figures", figures_to_json()}}, "run.json"), declared_figures());
+}
+
+TEST(FiguresOfARun, ThatALaterVersionDeclaredAreReadAndWritten) {
+    const auto list = figures_of_record(record_with(off_chart), "run.json");
+    const FigureDeclaration* figure = list->find("error.off_chart.mean");
+    ASSERT_NE(figure, nullptr);
+    EXPECT_EQ(figure->label, "Off the chart");
+    EXPECT_EQ(figure->better, Better::lower);
+    EXPECT_TRUE(is_error(*figure));
+    Json json = to_json(complete_cell());
+    json["error"]["off_chart"] = {{"mean", 0.25}};
+    EXPECT_THAT(error_message([&] { parse_cell_result(json, "c"); }), testing::HasSubstr("unknown key \"off_chart\""));
+    const CellResult cell = parse_cell_result(json, "c", list);
+    EXPECT_EQ(value_of(*figure, cell), 0.25);
+    EXPECT_EQ(value_of(*find_figure("error.missed"), cell), 1) << "its own list has the same figures";
+    EXPECT_FALSE(value_of(*figure, complete_cell())) << "this version's cells have none";
+    EXPECT_EQ(to_json(cell), json);
+}
+
+TEST(FiguresOfARun, MayBeOfTimesAndOfNewGroups) {
+    Json list = Json::array();
+    for (const char* path :
+         {"time.draw.p99_ms", "time.watts", "prepare.joules", "outline.mean.low", "outline.mean.high"})
+        list.push_back({{"path", path}, {"label", path}, {"better", "lower"}});
+    const auto figures = figures_of_record({{"figures", list}}, "run.json");
+    Json json = to_json(complete_cell(figures));
+    json["time"]["draw"]["p99_ms"] = 2;
+    json["time"]["watts"] = 3;
+    json["prepare"]["joules"] = 4;
+    json["outline"] = {{"mean", {5, 6}}};
+    json["time"]["quadtree"] = json["time"]["draw"];
+    const CellResult cell = parse_cell_result(json, "c", figures);
+    double expected = 2;
+    for (const Json& figure : list)
+        EXPECT_EQ(value_of(figure.at("path").get<std::string>(), cell), expected++) << figure;
+    EXPECT_EQ(to_json(cell).at("outline"), Json::parse(R"({"mean": [5.0, 6.0]})"));
+}
+
+TEST(FiguresOfARun, ThatCannotStandInACellAreRefused) {
+    const auto message = [](const char* key, const Json& value) {
+        Json figure = off_chart;
+        figure[key] = value;
+        return error_message([&] { figures_of_record(record_with(figure), "run.json"); });
+    };
+    const std::string place = fmt::format("run.json: $.figures[{}]", figures().size());
+    EXPECT_THAT(message("path", 3), testing::StartsWith(place + ".path: expected a string"));
+    for (const char* path : {"", "off_chart", "error..mean", "axes.mean", "parameters.x", "error."})
+        EXPECT_THAT(message("path", path), testing::StartsWith(place + ".path: expected a path")) << path;
+    for (const char* path : {"error.missed.mean", "error.uv_texels", "time.draw"})
+        EXPECT_THAT(message("path", path), testing::HasSubstr("cannot stand beside the others")) << path;
+    EXPECT_THAT(message("better", "more"), testing::StartsWith(place + ".better: expected one of"));
+    EXPECT_THAT(message("needs", "truth"), testing::StartsWith(place + ".needs: expected an array"));
+    EXPECT_THAT(error_message([] {
+                    figures_of_record({{"figures", 3}}, "run.json");
+                }),
+                testing::HasSubstr("$.figures: expected an array"));
 }
 
 TEST(Figures, TheListOfTheScriptsIsThisOne) {

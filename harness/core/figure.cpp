@@ -1,0 +1,35 @@
+#include "core/figure.hpp"
+
+#include <algorithm>
+
+namespace reliefbench {
+
+std::string_view to_string(Better better) {
+    switch (better) {
+        case Better::lower:
+            return "lower";
+        case Better::higher:
+            return "higher";
+        case Better::neither:
+            return "neither";
+    }
+    return "";
+}
+
+bool is_better(double value, double other, Better better) {
+    switch (better) {
+        case Better::lower:
+            return value < other;
+        case Better::higher:
+            return value > other;
+        case Better::neither:
+            return false;
+    }
+    return false;
+}
+
+bool FigureDeclaration::has_need(std::string_view need) const {
+    return std::find(needs.begin(), needs.end(), need) != needs.end();
+}
+
+}  // namespace reliefbench
