@@ -140,7 +140,9 @@ class Plot(unittest.TestCase):
 
     def test_every_short_name_is_a_declared_figure(self):
         declared = self.declared()
+        page = (PLOT.parent / "README.md").read_text()
         for name, columns in self.script.SHORT_NAMES.items():
+            self.assertIn(f"`{name}`", page)
             for column in columns:
                 self.assertIn(column, declared, name)
                 self.assertNotEqual(declared[column]["better"], "neither", name)
