@@ -247,8 +247,9 @@ def main():
         suffix = Path(options.output).suffix.lower()
         if suffix not in FORMATS:
             raise PlotError(f"--output {options.output}: expected a file that ends in {', '.join(FORMATS)}")
-        cells = apply_filters(read_cells(options.files), options.filter)
-        figure = FIGURES[options.figure](cells, declared_figures(options.files), options, notes)
+        figures = declared_figures(options.files)
+        cells = apply_filters(read_cells(options.files, figures), options.filter)
+        figure = FIGURES[options.figure](cells, figures, options, notes)
         metadata = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}.get(suffix)
         try:
             figure.savefig(options.output, dpi=options.dpi, metadata=metadata)

@@ -7,8 +7,7 @@ from pathlib import Path
 import numpy
 import pandas
 
-from plotted_figures import (INFINITE_RATIO, OUTSIDE, SHORT_NAMES, WRONG_HITS, PlotError, interval_columns,
-                             is_of_whole_pictures, quantity_of)
+from plotted_figures import OUTSIDE, SHORT_NAMES, WRONG_HITS, PlotError, interval_columns, quantity_of
 from plotted_marks import mark_numbers
 
 VIEW_ANGLE = "axes.view_angle"
@@ -20,12 +19,12 @@ PARAMETERS = "parameters."
 HIT_LIMIT = 0.005
 
 
-def with_best_ratios(cells):
-    ratio, noise = INFINITE_RATIO
-    for column in [name for name in cells.columns if name.endswith(f".{ratio}")]:
-        rmse = cells.get(column.removesuffix(ratio) + noise)
-        if rmse is not None:
-            cells = cells.assign(**{column: cells[column].mask(cells[column].isna() & (rmse == 0), numpy.inf)})
+def with_infinities(cells, figures):
+    """What is infinite has no number in files: the ratio of a picture without an error to its noise."""
+    for path, figure in figures.items():
+        beside = figure.get("infinite_at_zero")
+        if path in cells.columns and beside in cells.columns:
+            cells = cells.assign(**{path: cells[path].mask(cells[path].isna() & (cells[beside] == 0), numpy.inf)})
     return cells
 
 
@@ -48,8 +47,7 @@ def read_run(folder):
     try:
         lines = file.read_text().splitlines(keepends=True)
     except OSError as error:
-        raise PlotError(f"{folder} is no run's folder ({file.name}: {error.strerror}); name one that reliefbench run made, or a "
-                        "file of reliefbench export --format csv") from error
+        raise PlotError(f"{file}: {error.strerror}; the run has no finished cell") from error
     cells = []
     for number, line in enumerate(lines, 1):
         if line.endswith("\n"):
@@ -70,7 +68,7 @@ def read_export(file):
                         "export --format csv") from error
 
 
-def read_cells(files):
+def read_cells(files, figures):
     """Of runs' folders and exported runs."""
     frames = []
     for file in files:
@@ -86,7 +84,7 @@ def read_cells(files):
     if measured.empty:
         raise PlotError(f"{', '.join(files)}: no cell was measured ({len(cells)} failed or were skipped)")
     # Among all techniques, so that neither a filter nor a failure changes one's mark.
-    return with_best_ratios(measured.assign(mark=measured["technique"].map(mark_numbers(cells["technique"]))))
+    return with_infinities(measured.assign(mark=measured["technique"].map(mark_numbers(cells["technique"]))), figures)
 
 
 def has_numbers(cells, column):
@@ -106,7 +104,8 @@ def quantity(cells, name, figures, option, notes):
         needs = figures.get(column, {}).get("needs", [])
         raise PlotError(f"{option} {name}: the cells have no numbers of '{column}'" +
                         (f"; it needs {', '.join(needs)}, which the configuration has to ask for" if needs else ""))
-    if is_of_whole_pictures(column) and OUTSIDE in cells.columns and (cells[OUTSIDE] > 0).any():
+    counts_outside = any(figure.get("stand_in") == column for figure in figures.values())
+    if counts_outside and OUTSIDE in cells.columns and (cells[OUTSIDE] > 0).any():
         instead = f"; {columns[0]} would not, which these runs do not have" if len(columns) > 1 else ""
         notes.append(f"{column} counts relief beyond the quad, which no per-pixel technique can draw{instead}")
     return quantity_of(column, figures)

@@ -24,9 +24,6 @@ TIME_PER_PIXEL = "time.ns_per_pixel"
 WRONG_HITS = ("error.missed", "error.false_hits")
 # Relief beyond the quad, which errors of whole pictures count and no per-pixel technique can draw.
 OUTSIDE = "error.outside_quad.pixels"
-WHOLE_PICTURE = "image"
-# A picture without an error has no number for the ratio of itself to its noise: where the latter is 0, it is infinite.
-INFINITE_RATIO = ("psnr", "rmse")
 
 
 class PlotError(Exception):
@@ -47,11 +44,11 @@ class Quantity:
 
 def listed_figures(file, figures):
     """Path → figure. `figures` is a list as `reliefbench list figures --format json` prints it."""
-    try:
-        return {figure["path"]: {"label": figure["label"], "unit": figure["unit"], "better": figure["better"],
-                                 "needs": figure.get("needs", [])} for figure in figures}
-    except (KeyError, TypeError, AttributeError):
-        raise PlotError(f"{file}: this is no list of figures with path, label, unit and better") from None
+    def is_figure(entry):
+        return isinstance(entry, dict) and all(isinstance(entry.get(key), str) for key in ("path", "label", "unit", "better"))
+    if not isinstance(figures, list) or not all(map(is_figure, figures)):
+        raise PlotError(f"{file}: this is no list of figures with path, label, unit and better")
+    return {figure["path"]: figure for figure in figures}
 
 
 def read_json(file):
@@ -64,10 +61,13 @@ def read_json(file):
 
 
 def declared_figures(files):
-    """Of this version, and of each run's folder among `files` those of the version that made it: path → label, unit, better
-    and needs."""
+    """Of this version, and of each run's folder among `files` those of the version that made it: path → what `reliefbench
+    list figures --format json` says of it."""
     figures = listed_figures(FIGURES_FILE, read_json(FIGURES_FILE))
     for folder in filter(Path.is_dir, map(Path, files)):
+        if not (folder / "run.json").exists():
+            raise PlotError(f"{folder} is no run's folder: it has no run.json; name one that reliefbench run made, or a file of "
+                            "reliefbench export --format csv")
         record = read_json(folder / "run.json")
         if isinstance(record, dict) and "figures" in record:
             figures.update(listed_figures(folder / "run.json", record["figures"]))
@@ -89,8 +89,3 @@ def interval_columns(column):
     of = DRAW_TIME if column == TIME_PER_PIXEL else column
     match = re.fullmatch(rf"({group}\..+)\.{median}", of)
     return match and (of, [f"{match.group(1)}.{end}" for end in INTERVAL])
-
-
-def is_of_whole_pictures(column):
-    """Of a picture and not of its footprint alone."""
-    return column.rpartition(".")[0] == WHOLE_PICTURE

@@ -133,6 +133,12 @@ export interface Figure {
   better: "lower" | "higher" | "neither";
   /** What a change must exceed, in the unit and of the larger value, to be one that can be told. */
   tolerance: Tolerance;
+  /** What it is measured of, or depends on: "truth", "motion" ... */
+  needs: string[];
+  /** Path of the figure beside which 0 makes this one infinite, which has no number in JSON. */
+  infinite_at_zero?: string;
+  /** Path of the figure that decides where a run is too old to have this one. */
+  stand_in?: string;
 }
 
 export interface Tolerance {
@@ -149,17 +155,13 @@ export interface PageData {
 }
 
 /** As the file has it. */
-export interface PackedPageData extends Omit<PageData, "comparison" | "runs"> {
-  runs: (Omit<RunData, "cells"> & { cells: PackedCells })[];
+export interface PackedPageData extends Omit<PageData, "comparison"> {
   comparison:
     | (Omit<PageComparison, "result"> & {
         result: (Omit<ComparisonResult, "cells"> & { cells: VerdictColumns }) | null;
       })
     | null;
 }
-
-/** Runs' parameters by either of their names. */
-export type PackedCells = Omit<Cells, "parameters"> & Partial<Record<"parameters" | "params", Cells["parameters"]>>;
 
 export function unpackVerdicts(columns: VerdictColumns, ids: readonly string[]): CellVerdict[] {
   const changes = new Map(columns.changes);
@@ -176,14 +178,10 @@ export function unpackVerdicts(columns: VerdictColumns, ids: readonly string[]):
 
 export function unpackPage(packed: PackedPageData): PageData {
   const { comparison } = packed;
-  const runs = packed.runs.map((run) => ({
-    ...run,
-    cells: { ...run.cells, parameters: run.cells.parameters ?? run.cells.params ?? {} },
-  }));
-  if (comparison === null || comparison.result === null) return { ...packed, runs, comparison: comparison as null };
+  if (comparison === null || comparison.result === null) return { ...packed, comparison: comparison as null };
   const ids = packed.runs.flatMap((run) => run.cells.id);
   const result = { ...comparison.result, cells: unpackVerdicts(comparison.result.cells, ids) };
-  return { ...packed, runs, comparison: { ...comparison, result } };
+  return { ...packed, comparison: { ...comparison, result } };
 }
 
 export function valueText(value: Json): string {

@@ -31,9 +31,7 @@ export const shortNames: Readonly<Record<string, readonly string[]>> = names;
 /** Of the maps of errors beside the pictures. */
 export const usualMap = "uv_error";
 
-/** Groups of figures (the first parts of their paths) that say how good a picture is. */
-export const qualityGroups = ["error", "image", "motion"];
-/** The one whose percentiles are over pixels of a picture. */
+/** The group of figures (the first part of their paths) whose percentiles are over pixels of a picture. */
 export const groupOfPixels = "error";
 /** Groups of figures that say what a cell takes besides the time of its passes. */
 export const spentGroups = ["prepare", "work"];
@@ -63,10 +61,5 @@ export const wrongHits = "error.wrong_hits";
 /** Equal for all of some cells: then their hits are. */
 export const hitErrors = ["error.uv_texels.mean", "error.uv_texels.max", missedHits, falseHits];
 
-/** Relief beyond the quad, and the errors that count it: those of whole pictures, not those over the footprint. */
+/** Relief beyond the quad, which errors of whole pictures count. */
 export const outsidePixels = "error.outside_quad.pixels";
-export const wholePicture = "image";
-export const footprint = "image.footprint";
-
-/** The ratio of a picture without an error to its noise has no number in JSON: it is infinite where the noise is 0. */
-export const infiniteRatio = { ratio: "psnr", noise: "rmse" };

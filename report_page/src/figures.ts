@@ -8,11 +8,6 @@ export function groupOf(path: string): string {
   return path.slice(0, Math.max(0, path.indexOf(".")));
 }
 
-/** "error.uv_texels" of "error.uv_texels.p99" */
-export function parentOf(path: string): string {
-  return path.slice(0, Math.max(0, path.lastIndexOf(".")));
-}
-
 /** "error · uv texels" */
 export function groupTitle(group: string): string {
   return group.replaceAll(".", " · ").replaceAll("_", " ");

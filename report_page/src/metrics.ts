@@ -7,13 +7,11 @@ import {
   drawSamples,
   drawTime,
   falseHits,
-  infiniteRatio,
   missedHits,
-  qualityGroups,
   timePerPixel,
   wrongHits,
 } from "./defaults.ts";
-import { groupOf, parentOf } from "./figures.ts";
+import { groupOf } from "./figures.ts";
 import { bytesText, figureText } from "./numbers.ts";
 
 /** Missed and false hits above this fraction of the footprint: discarding hard pixels wins nothing. */
@@ -45,24 +43,30 @@ export function shownUnit(unit: string): string {
   return unit.replace(fraction, "%");
 }
 
-function valueOf(cells: Cells, path: string, cell: number): number | null {
-  const value = numberOf(cells, path, cell);
-  if (value !== null || !path.endsWith(`.${infiniteRatio.ratio}`)) return value;
-  return numberOf(cells, `${parentOf(path)}.${infiniteRatio.noise}`, cell) === 0 ? Infinity : null;
+/** What is known of a number of a cell; of one that the list does not declare, its path is its label. */
+export type KnownFigure = Pick<Figure, "path" | "label" | "unit" | "infinite_at_zero">;
+
+function valueOf(cells: Cells, figure: KnownFigure, cell: number): number | null {
+  const value = numberOf(cells, figure.path, cell);
+  if (value !== null || figure.infinite_at_zero === undefined) return value;
+  return numberOf(cells, figure.infinite_at_zero, cell) === 0 ? Infinity : null;
 }
 
 /** By cell, in the unit that `shownUnit` gives. */
-export function shownFigure(cells: Cells, figure: Pick<Figure, "path" | "unit">): (cell: number) => number | null {
+export function shownFigure(cells: Cells, figure: KnownFigure): (cell: number) => number | null {
   const scale = shownScale(figure.unit);
   return (cell) => {
-    const value = valueOf(cells, figure.path, cell);
+    const value = valueOf(cells, figure, cell);
     return value === null ? null : scale * value;
   };
 }
 
-/** What a cell takes. The higher the better, or a fraction of pixels: that says how well it was drawn. */
+/**
+ * What a cell takes: how well it was drawn is said by what is compared with a truth or better the higher, and by fractions of
+ * pixels.
+ */
 function isCost(figure: Figure): boolean {
-  return figure.better === "lower" && !fraction.test(figure.unit) && !qualityGroups.includes(groupOf(figure.path));
+  return figure.better === "lower" && !figure.needs.includes("truth") && !fraction.test(figure.unit);
 }
 
 function metricOf(figure: Figure, better: Better): Metric {
@@ -178,8 +182,7 @@ export function worstOf(better: Better, values: readonly number[]): number {
   return values.reduce((worst, value) => (advantage(better, worst, value) > 0 ? value : worst));
 }
 
-/** The figure of a path as the list declares it; of a number that it does not declare only the path is known. */
-export function declared(figures: readonly Figure[], path: string): Pick<Figure, "path" | "label" | "unit"> {
+export function declared(figures: readonly Figure[], path: string): KnownFigure {
   return figures.find((figure) => figure.path === path) ?? { path, label: path, unit: "" };
 }
 

@@ -51,7 +51,9 @@ function figure(path: string, label: string, unit: string, better: Figure["bette
       : /flip/.test(path)
         ? { absolute: 0.002, relative: 0.02 }
         : { absolute: 0.005, relative: 0.05 };
-  return { path, label, unit, better, tolerance };
+  const needs = /^(error|image|motion)\./.test(path) ? ["truth"] : [];
+  const ratio = path.endsWith(".psnr") ? { infinite_at_zero: path.replace("psnr", "rmse") } : {};
+  return { path, label, unit, better, tolerance, needs, ...ratio };
 }
 
 /** Some of those that the page's data list. */

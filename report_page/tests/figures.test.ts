@@ -38,9 +38,16 @@ test("a figure that the page has never heard of is on offer with its label, unit
   const tolerance = { absolute: 0, relative: 0 };
   const later: Figure[] = [
     ...figures,
-    { path: "error.outline.p95", label: "Outline error, p95", unit: "pixels", better: "lower", tolerance },
-    { path: "memory.peak_bytes", label: "Peak memory", unit: "bytes", better: "lower", tolerance },
-    { path: "temporal.stability", label: "Stability", unit: "", better: "higher", tolerance },
+    {
+      path: "error.outline.p95",
+      label: "Outline error, p95",
+      unit: "pixels",
+      better: "lower",
+      needs: ["truth"],
+      tolerance,
+    },
+    { path: "memory.peak_bytes", label: "Peak memory", unit: "bytes", better: "lower", needs: [], tolerance },
+    { path: "temporal.stability", label: "Stability", unit: "", better: "higher", needs: [], tolerance },
   ];
   const cells = withAll(later);
   const error = errorMetrics(later, cells).find(({ id }) => id === "error.outline.p95")!;
@@ -70,27 +77,14 @@ test("lists to choose from have headings, and no figure is lost among them", () 
 
 test("what the page chooses is in reliefbench's list", () => {
   const paths = new Set(figures.map(({ path }) => path));
-  const {
-    qualityGroups,
-    groupOfPixels,
-    spentGroups,
-    wrongHits,
-    usualMap,
-    stopWord,
-    drawPass,
-    wholePicture,
-    footprint,
-    infiniteRatio,
-    ...chosen
-  } = defaults;
+  const { groupOfPixels, spentGroups, wrongHits, usualMap, stopWord, drawPass, ...chosen } = defaults;
   for (const path of Object.values(chosen).flatMap((value) => (typeof value === "string" ? [value] : valuesOf(value))))
     assert.ok(paths.has(path), path);
-  for (const group of [...qualityGroups, groupOfPixels, ...spentGroups, wholePicture, footprint])
+  for (const group of [groupOfPixels, ...spentGroups])
     assert.ok(
       figures.some(({ path }) => path.startsWith(`${group}.`)),
       group,
     );
-  assert.ok(figures.some(({ path }) => path.endsWith(`.${infiniteRatio.ratio}`)));
   assert.ok(figures.some(({ path }) => path.startsWith(`time.${drawPass}.`)));
   assert.ok(![wrongHits, usualMap, stopWord].some((name) => paths.has(name)));
   assert.equal(new Set(Object.keys(names).map((name) => name.toLowerCase())).size, Object.keys(names).length);

@@ -117,7 +117,7 @@ class Plot(unittest.TestCase):
         header = "cell,technique,status,axes.view_angle,time.draw.median_ms,error.uv_texels.p99,image.psnr,image.rmse"
         rows = ["a | v,a,ok,0,1,2,20,0.1", "b | v,b,ok,0,2,0,,0", "c | v,c,ok,0,3,1,30,0.03", "d | v,d,ok,0,4,1,,"]
         (self.path / "perfect.csv").write_text("\n".join([header, *rows]) + "\n")
-        cells = self.script.read_cells([str(self.path / "perfect.csv")])
+        cells = self.script.read_cells([str(self.path / "perfect.csv")], self.declared())
         for name in ("image.psnr", "uv"):
             error = self.script.quantity(cells, name, self.declared(), "", [])
             cost = self.script.quantity(cells, "ms", self.declared(), "", [])
@@ -216,7 +216,7 @@ class Plot(unittest.TestCase):
         header = "cell,technique,status,time.draw.median_ms,error.uv_texels.p99,axes.heightmap,axes.view_angle,parameters.exact"
         rows = ['a,a,ok,1,1,"a,b.png",30,true', 'b,b,ok,1,1,"[x,y].png",45,false', "c,c,ok,1,1,007,60,", "d,d,ok,1,1,7,0.3,"]
         (self.path / "filtered.csv").write_text("\n".join([header, *rows]) + "\n")
-        cells = self.script.read_cells([str(self.path / "filtered.csv")])
+        cells = self.script.read_cells([str(self.path / "filtered.csv")], self.declared())
 
         def kept(*filters):
             return "".join(self.script.apply_filters(cells, filters)["technique"])
@@ -242,7 +242,7 @@ class Plot(unittest.TestCase):
                      "heightmap=[\"bricks\"]"):
             listed = subprocess.run([RELIEFBENCH, "run", "plot.json", "--dry-run", "--filter", text], cwd=self.path,
                                     capture_output=True, text=True)
-            cells = self.script.read_cells([str(self.path / "cells.csv")])
+            cells = self.script.read_cells([str(self.path / "cells.csv")], self.declared())
             try:
                 kept = set(self.script.apply_filters(cells, [text])["cell"])
             except sys.modules["plotted_figures"].PlotError:
@@ -376,7 +376,7 @@ class Plot(unittest.TestCase):
         header = "cell,technique,status,time.draw.median_ms,error.uv_texels.p99"
         (self.path / "old_parameters.csv").write_text(f"{header},params.max_steps\npom | ,pom,ok,1,1,8\n")
         (self.path / "new_parameters.csv").write_text(f"{header},parameters.max_steps\npom | ,pom,ok,2,1,16\n")
-        cells = self.script.read_cells([str(self.path / f"{name}_parameters.csv") for name in ("old", "new")])
+        cells = self.script.read_cells([str(self.path / f"{name}_parameters.csv") for name in ("old", "new")], self.declared())
         self.assertEqual(list(cells["parameters.max_steps"]), [8, 16])
         self.assertNotIn("params.max_steps", cells.columns)
 
@@ -392,7 +392,7 @@ class Plot(unittest.TestCase):
 
     def test_bad_input_ends_with_a_message(self):
         self.refused(["none.csv", "No such file"], "pareto", "none.csv")
-        self.refused(["images is no run's folder", "cells.jsonl"], "pareto", "images")
+        self.refused(["images is no run's folder", "run.json"], "pareto", "images")
         self.refused(["no column 'cell'", "reliefbench export --format csv"], "pareto", "plot.json")
         self.refused(["'time.speed'", "short names: ms"], "pareto", "cells.csv", "--cost", "time.speed")
         self.refused(["did you mean 'error.depth.max'?"], "pareto", "cells.csv", "--error", "error.depht.max")

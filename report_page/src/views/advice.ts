@@ -14,19 +14,10 @@ import {
 } from "../advice.ts";
 import type { App, View } from "../app.ts";
 import { axisValueText, leadingNumber, numberOf, textOf, viewOf } from "../data.ts";
-import {
-  coveredPixels,
-  footprint,
-  outsidePixels,
-  timePerPixel,
-  usualCost,
-  usualError,
-  usualQuality,
-  wholePicture,
-} from "../defaults.ts";
+import { coveredPixels, outsidePixels, timePerPixel, usualCost, usualError, usualQuality } from "../defaults.ts";
 import { settingElement, warning } from "../describe.ts";
 import { choose, fill, h } from "../dom.ts";
-import { groupedChoices, parentOf } from "../figures.ts";
+import { groupedChoices } from "../figures.ts";
 import { costMetrics, declared, errorMetrics, type Metric, metricById, metricText, metricTitle } from "../metrics.ts";
 import { counted, extent, median, significant } from "../numbers.ts";
 import {
@@ -175,11 +166,11 @@ function cautionWords(app: App, error: Metric, known: readonly Metric[]): string
   const { cells } = app.run();
   const unknown = Object.keys(app.state.limits).filter((path) => !known.some(({ id }) => id === path));
   const words = unknown.map((path) => `No measured cell of this run has ${path}: the limit on it is left out.`);
-  const ofWholePicture = parentOf(error.id) === wholePicture;
-  if (ofWholePicture && app.measured().some((cell) => numberOf(cells, outsidePixels, cell))) {
+  const overFootprint = app.data.figures.find((figure) => figure.stand_in === error.id);
+  if (overFootprint !== undefined && app.measured().some((cell) => numberOf(cells, outsidePixels, cell))) {
     words.push(`${error.label}: relief beyond the quad counts, too, which no per-pixel technique can draw.`);
     words.push(
-      known.some(({ id }) => parentOf(id) === footprint)
+      known.some(({ id }) => id === overFootprint.path)
         ? "The figures over the footprint leave it out."
         : "This run is of a version that had no figures over the footprint.",
     );
