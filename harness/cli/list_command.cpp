@@ -50,6 +50,7 @@ std::string technique_lines(const Technique& technique) {
         }
         lines += fmt::format("    needs of the height map: {}\n", join(needs));
     }
+    if (manifest.shadow_search == ShadowSearch::own) lines += "    hard shadows: by its own search\n";
     std::vector<std::string> promises;
     for (const PromiseDeclaration& declaration : manifest.promises) {
         promises.push_back(to_string(declaration.promise));

@@ -127,6 +127,14 @@ struct Shape {
     int patch_corners(const ParameterValues& values) const;
 };
 
+/// Who searches along a light's ray for hard self-shadows.
+enum class ShadowSearch {
+    /// The technique's own trace().
+    own,
+    /// The harness's march in uniform layers.
+    uniform_layers,
+};
+
 /// The files that a draw of the shape is compiled from, in the pipeline's order: of the shared shaders, and for patches
 /// the technique's own tessellation stages. The shared ones include what else there is (quad.frag the technique's
 /// trace.glsl).
@@ -160,6 +168,8 @@ struct Manifest {
     std::vector<MapDeclaration> maps;
     std::vector<PassDeclaration> passes;
     Shape shape;
+    /// Of the shape quad.
+    ShadowSearch shadow_search = ShadowSearch::uniform_layers;
     std::vector<PromiseDeclaration> promises;
 
     const Parameter* find_parameter(const std::string& name) const;

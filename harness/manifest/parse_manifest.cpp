@@ -26,6 +26,7 @@ const std::vector<std::string> map_sizes{"height_map", "next_power_of_two"};
 const std::vector<std::string> pass_levels{"base", "above_base"};
 const std::vector<std::string> map_need_words{"square", "power_of_two", "untiled"};
 const std::vector<std::string> slicings{"sources", "rows"};
+const std::vector<std::string> shadow_searches{"own", "uniform_layers"};
 
 const std::vector<std::string> kinds = words("texture parallax march hierarchy cone geometry");
 const std::vector<std::string> map_formats{"r8", "r16", "rg16", "r32f", "rg32f", "rgba8", "rgba16", "rgba32f"};
@@ -271,6 +272,18 @@ PromiseDeclaration parse_promise(const JsonView& view, const Manifest& manifest)
     return declared;
 }
 
+/// In version 0.1.0, whose contract is 1, it hung on the kind.
+ShadowSearch parse_shadow_search(const JsonView& view, const Manifest& manifest) {
+    if (view.has("shadow_search")) {
+        const JsonView search = view.at("shadow_search");
+        if (manifest.shape.kind != Shape::Kind::quad) search.fail_here("it belongs to the shape \"quad\" only");
+        return static_cast<ShadowSearch>(search.choice(shadow_searches));
+    }
+    const bool searches = manifest.shape.kind == Shape::Kind::quad &&
+                          (manifest.kind == "march" || manifest.kind == "hierarchy" || manifest.kind == "cone");
+    return manifest.contract == 1 && searches ? ShadowSearch::own : ShadowSearch::uniform_layers;
+}
+
 int parse_contract(const JsonView& view) {
     const std::int64_t contract = view.integer(1, std::numeric_limits<int>::max());
     if (contract > newest_contract) {
@@ -301,7 +314,7 @@ Manifest parse_manifest(const Json& json, const std::string& id, const std::stri
     const JsonView view(json, file);
     view.require_only({"title", "contract", "kind", "citation", "include", "parameters", "sample_count",
                        "sample_count_minimum", "search_cap", "features", "needs", "maps", "passes", "shape",
-                       "promises"});
+                       "shadow_search", "promises"});
     Manifest manifest;
     manifest.id = id;
     manifest.title = parse_line(view.at("title"));
@@ -333,6 +346,7 @@ Manifest parse_manifest(const Json& json, const std::string& id, const std::stri
     manifest.shape = parse_shape(view.at("shape"), manifest);
     const bool tessellates = std::ranges::find(manifest.features, "tessellationShader") != manifest.features.end();
     if (manifest.shape.kind == Shape::Kind::patches && !tessellates) manifest.features.push_back("tessellationShader");
+    manifest.shadow_search = parse_shadow_search(view, manifest);
     if (!shared.empty()) names.require_none_of(names_of_shaders(manifest, shared, folder));
     for (const JsonView& item : view.at("promises").items()) {
         manifest.promises.push_back(parse_promise(item, manifest));

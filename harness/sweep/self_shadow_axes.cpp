@@ -57,13 +57,14 @@ std::vector<ViewAxis> self_shadow_axes() {
                                    .help = "how far above its place a point is taken to be; soft_shadow=dykhta only",
                                    .also_called = {"bias", "shadow_bias"}},
                                   fractions, [](auto& key) -> auto& { return key.view.self_shadow.dykhta_bias; })));
-    axes.push_back(only_where(
-        has_shadow_steps, number_axis(
-                              "shadow_min_steps",
-                              {.unit = "steps",
-                               .help = "layers on the way of a light overhead; dykhta, and hard without an own search",
-                               .also_called = {"shadow_steps", "shadow_samples"}},
-                              shadow_steps, [](auto& key) -> auto& { return key.view.self_shadow.min_steps; })));
+    axes.push_back(only_where(has_shadow_steps,
+                              number_axis(
+                                  "shadow_min_steps",
+                                  {.unit = "steps",
+                                   .help = "layers on the way of a light overhead; dykhta, and hard where a "
+                                           "technique's shadow_search is uniform_layers",
+                                   .also_called = {"shadow_steps", "shadow_samples"}},
+                                  shadow_steps, [](auto& key) -> auto& { return key.view.self_shadow.min_steps; })));
     axes.push_back(only_where(has_shadow_steps,
                               number_axis(
                                   "shadow_max_steps",

@@ -32,11 +32,6 @@ constexpr std::uint32_t dykhta = 2;
 constexpr std::uint32_t tatarchuk = 3;
 }  // namespace self_shadow_method
 
-/// Whether techniques of the kind search along the ray, so that they can search along a light's.
-bool marches(const std::string& kind) {
-    return kind == "march" || kind == "hierarchy" || kind == "cone";
-}
-
 /// What relief.glsl goes by.
 std::string declare_contract(const Manifest& manifest) {
     return manifest.contract == 1 ? "#define RELIEFBENCH_CONTRACT_1 1\n" : "";
@@ -159,7 +154,7 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
     const bool probed = variant == Variant::probed;
     std::string preamble = declare_contract(manifest) + (probed ? probed_definition : "");
     if (indexes_scene(device)) preamble += "#define RELIEFBENCH_INDEXED_SCENE 1\n";
-    if (marches(manifest.kind)) preamble += "#define RELIEFBENCH_OWN_MARCH 1\n";
+    if (manifest.shadow_search == ShadowSearch::own) preamble += "#define RELIEFBENCH_OWN_MARCH 1\n";
     if (depth_write != DepthWrite::off) preamble += "#define RELIEFBENCH_WRITE_DEPTH 1\n";
     if (depth_write == DepthWrite::conservative) preamble += "#define RELIEFBENCH_CONSERVATIVE_DEPTH 1\n";
     preamble += declare_parameters(manifest, parameters);

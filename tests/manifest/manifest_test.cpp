@@ -154,6 +154,28 @@ TEST(Manifest, PatchesNameTheirParameterAndNeedTessellation) {
     EXPECT_THAT(manifest.features, ElementsAre("tessellationShader"));
 }
 
+TEST(Manifest, WhoseSearchCastsHardShadowsIsSaidAndOfContract1MayHangOnTheKind) {
+    const auto search_of = [](int contract, const std::string& kind, const std::string& said) {
+        Json json = with("/kind", kind);
+        json["contract"] = contract;
+        if (!said.empty()) json["shadow_search"] = said;
+        return parse(json).shadow_search;
+    };
+    for (const std::string kind : {"texture", "parallax", "march", "hierarchy", "cone", "geometry"}) {
+        const bool searches = kind == "march" || kind == "hierarchy" || kind == "cone";
+        EXPECT_EQ(search_of(1, kind, ""), searches ? ShadowSearch::own : ShadowSearch::uniform_layers) << kind;
+        EXPECT_EQ(search_of(2, kind, ""), ShadowSearch::uniform_layers) << kind;
+        for (const int contract : {1, 2}) {
+            EXPECT_EQ(search_of(contract, kind, "own"), ShadowSearch::own) << kind;
+            EXPECT_EQ(search_of(contract, kind, "uniform_layers"), ShadowSearch::uniform_layers) << kind;
+        }
+    }
+    Json patches = with("/shape", parse_json(R"({"patches": {"parameter": "binary_steps"}})", "test"));
+    EXPECT_EQ(parse(patches).shadow_search, ShadowSearch::uniform_layers);
+    patches["shadow_search"] = "own";
+    EXPECT_THAT(message_of(patches), HasSubstr("$.shadow_search: it belongs to the shape \"quad\" only"));
+}
+
 TEST(Manifest, TheSampleCountTakesTheAdaptiveMinimumAlong) {
     const Manifest manifest = parse(complete());
     ParameterValues values = manifest.defaults();
@@ -180,6 +202,8 @@ TEST(Manifest, WhatIsWrongIsNamedWithItsPlace) {
         {"/contract", "0", "$.contract: expected an integer from 1"},
         {"/contract", "\"2\"", "$.contract: expected an integer"},
         {"/kind", "\"marsh\"", "(did you mean 'march'?)"},
+        {"/shadow_search", "\"owns\"",
+         "$.shadow_search: expected one of own, uniform_layers, found \"owns\" (did you mean 'own'?)"},
         {"/parameters/0/default", "0",
          "$.parameters[0].default: max_steps cannot be 0: it is an integer from 1 to 256"},
         {"/parameters/0/default", "1.5", "it is an integer from 1 to 256"},

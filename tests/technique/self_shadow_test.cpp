@@ -1,6 +1,7 @@
 #include "reference/light_visibility.hpp"
 #include "test_scene.hpp"
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -93,6 +94,29 @@ TEST_F(SelfShadowing, HardShadowsAreThoseOfExactRays) {
                     << to_string(boundary) << ' ' << direction.x << (folder == &marching ? " own" : " harness's");
             }
         }
+    }
+}
+
+// Byte-identical shaders under any kind cast the same shadows: those of the search that the manifest names.
+TEST_F(SelfShadowing, HardOnesAreOfTheSearchNamedWhateverTheKind) {
+    const SceneOnDevice scene(device(), hills(), grey_albedo());
+    View view = shadowed_view(SelfShadow::Mode::hard);
+    view.self_shadow.min_steps = view.self_shadow.max_steps = 3;
+    const auto visibility = [&](const std::string& kind, const std::string& search) {
+        const TemporaryTechnique folder(
+            Files{{"trace.glsl", march_trace},
+                  {"technique.json", fmt::format(R"({{"title": "Test", "contract": 2, "kind": "{}", "citation": "none",
+                "promises": [], "shape": "quad", "shadow_search": "{}", "parameters": []}})",
+                                                 kind, search)}});
+        const Lighting lighting = lit_from({{-1, 0.3, 0.3}});
+        return make_renderer(device(), folder.load(), scene, view, lighting).probe().light_visibility.texels;
+    };
+    const auto own = visibility("march", "own");
+    const auto of_layers = visibility("march", "uniform_layers");
+    EXPECT_NE(own, of_layers) << "three layers are few";
+    for (const char* kind : {"texture", "cone"}) {
+        EXPECT_EQ(visibility(kind, "own"), own) << kind;
+        EXPECT_EQ(visibility(kind, "uniform_layers"), of_layers) << kind;
     }
 }
 

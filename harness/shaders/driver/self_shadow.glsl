@@ -2,7 +2,7 @@
 #define RELIEFBENCH_SELF_SHADOW_GLSL
 
 // How much of each light reaches a point of the relief past the relief itself: the methods of
-// harness/scene/self_shadow.hpp, over the technique's own trace() where it marches.
+// harness/scene/self_shadow.hpp, over the technique's own trace() where its shadow_search is own.
 
 #include "checked_trace.glsl"
 #include "plane_ray.glsl"
