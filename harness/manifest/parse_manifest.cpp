@@ -189,24 +189,37 @@ PassDeclaration parse_pass(const JsonView& view, const Manifest& manifest, std::
     return pass;
 }
 
-void parse_maps_and_passes(const JsonView& view, Manifest& manifest, GlslNames& names) {
-    const std::size_t maps_before = manifest.maps.size();
-    if (view.has("maps")) {
-        for (const JsonView& item : view.at("maps").items())
+/// Those of the sets come first, so that the technique's own passes go on from what they leave. A pass may write a map
+/// that another of them declares.
+void parse_maps_and_passes(const JsonView& own, const std::vector<IncludedSet>& sets, Manifest& manifest,
+                           GlslNames& names) {
+    std::vector<JsonView> views;
+    for (const IncludedSet& set : sets)
+        views.push_back(set.view());
+    views.push_back(own);
+    std::vector<const JsonView*> declared_in;
+    for (const JsonView& view : views) {
+        if (!view.has("maps")) continue;
+        for (const JsonView& item : view.at("maps").items()) {
             manifest.maps.push_back(parse_map(item, manifest, names));
-    }
-    std::map<std::string, Written> written;
-    if (view.has("passes")) {
-        for (const JsonView& item : view.at("passes").items()) {
-            manifest.passes.push_back(parse_pass(item, manifest, written));
+            declared_in.push_back(&view);
         }
     }
-    for (std::size_t i = maps_before; i < manifest.maps.size(); ++i) {
+    std::map<std::string, Written> written;
+    for (const JsonView& view : views) {
+        if (!view.has("passes")) continue;
+        for (const JsonView& item : view.at("passes").items()) {
+            manifest.passes.push_back(parse_pass(item, manifest, written));
+            manifest.passes.back().is_shared = &view != &views.back();
+        }
+    }
+    for (std::size_t i = 0; i < manifest.maps.size(); ++i) {
         const MapDeclaration& map = manifest.maps[i];
         const Written& state = written[map.name];
-        if (!state.base) view.fail_here(fmt::format("no pass writes the map '{}'", map.name));
+        if (!state.base) declared_in[i]->fail_here(fmt::format("no pass writes the map '{}'", map.name));
         if (map.mip_chain && !state.above_base) {
-            view.fail_here(fmt::format("no pass writes the levels above the base of the map '{}'", map.name));
+            declared_in[i]->fail_here(
+                fmt::format("no pass writes the levels above the base of the map '{}'", map.name));
         }
     }
 }
@@ -336,13 +349,7 @@ Manifest parse_manifest(const Json& json, const std::string& id, const std::stri
     if (view.has("search_cap")) manifest.search_cap = parse_search_cap(view.at("search_cap"), manifest);
     if (view.has("features")) manifest.features = parse_features(view.at("features"), known_features);
     if (view.has("needs")) manifest.map_needs = parse_needs(view.at("needs"));
-    parse_maps_and_passes(view, manifest, names);
-    for (const IncludedSet& set : sets) {
-        const std::size_t own_passes = manifest.passes.size();
-        parse_maps_and_passes(set.view(), manifest, names);
-        for (std::size_t i = own_passes; i < manifest.passes.size(); ++i)
-            manifest.passes[i].is_shared = true;
-    }
+    parse_maps_and_passes(view, sets, manifest, names);
     manifest.shape = parse_shape(view.at("shape"), manifest);
     const bool tessellates = std::ranges::find(manifest.features, "tessellationShader") != manifest.features.end();
     if (manifest.shape.kind == Shape::Kind::patches && !tessellates) manifest.features.push_back("tessellationShader");

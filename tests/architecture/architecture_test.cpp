@@ -221,6 +221,21 @@ TEST(Architecture, SharedShadersIncludeOnlyWhatTheirFolderMay) {
     }
 }
 
+// What two techniques need belongs to harness/shaders/library. Of preparation passes comments and spaces do not count.
+TEST(Architecture, NoTwoTechniquesHaveTheSameShader) {
+    const std::regex comment_or_space("//[^\n]*|\\s+");
+    std::map<std::string, fs::path> where;
+    for (const fs::path& folder : technique_folders()) {
+        for (const fs::path& file : files_below(folder, shader_extensions)) {
+            std::string text = read(file);
+            if (text.find("void prepare(") != std::string::npos) text = std::regex_replace(text, comment_or_space, "");
+            const auto [known, is_new] = where.emplace(text, file);
+            EXPECT_TRUE(is_new || known->second.parent_path() == folder) << file << " is the same as " << known->second;
+        }
+    }
+    EXPECT_GT(where.size(), 25U) << "found next to nothing to check";
+}
+
 TEST(Architecture, ATechniqueIncludesNoOtherTechniquesFiles) {
     const std::map<std::string, std::string> folder_of = folders_of_shared_shaders();
     for (const fs::path& folder : technique_folders()) {

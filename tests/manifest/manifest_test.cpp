@@ -481,6 +481,33 @@ TEST_F(IncludedSets, ComeAfterTheTechniquesOwnWhichMayChangeTheirDefaults) {
     EXPECT_TRUE(manifest.passes.at(0).is_shared);
 }
 
+// A technique goes on from what the passes of its sets leave, and they may write what it declares.
+TEST_F(IncludedSets, PassesOfSetsRunFirstAndWriteMapsOfEither) {
+    write_text_file(shared_ / "search.json", R"({"parameters": [],
+        "maps": [{"name": "found", "format": "r16"}],
+        "passes": [{"name": "search", "shader": "search.glsl", "writes": "found"},
+                   {"name": "other_search", "shader": "other.glsl", "writes": "mine"}]})");
+    Json json = including(R"(["search.json"])", "[]");
+    json["maps"] = parse_json(R"([{"name": "mine", "format": "r16"}])", "test");
+    json["passes"] = parse_json(R"([{"name": "smooth", "shader": "smooth.glsl", "writes": "found"}])", "test");
+    const Manifest manifest = parse_including(json);
+    const auto names = [](const auto& declarations) {
+        std::vector<std::string> found;
+        for (const auto& declaration : declarations)
+            found.push_back(declaration.name);
+        return found;
+    };
+    EXPECT_THAT(names(manifest.maps), ElementsAre("found", "mine"));
+    EXPECT_THAT(names(manifest.passes), ElementsAre("search", "other_search", "smooth"));
+    EXPECT_TRUE(manifest.passes[1].is_shared);
+    EXPECT_FALSE(manifest.passes[2].is_shared);
+    json["maps"].push_back(parse_json(R"({"name": "idle", "format": "r16"})", "test"));
+    EXPECT_THAT(error_message([&] { parse_including(json); }), HasSubstr("technique.json: $: no pass writes the map"));
+    json["maps"] = Json::array();
+    EXPECT_THAT(error_message([&] { parse_including(json); }),
+                HasSubstr("search.json: $.passes[1].writes: no map 'mine' is declared"));
+}
+
 TEST_F(IncludedSets, NeedTheirShadersAmongTheSharedOnes) {
     write("technique.json", including(R"(["steps.json"])", "[]").dump());
     EXPECT_THAT(error_message([&] { load_manifest(folder_, shared_); }),

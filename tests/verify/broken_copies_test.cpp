@@ -130,8 +130,9 @@ TEST_F(BrokenCopies, ConservativeFindsTheFarWallInPlaceOfTheHit) {
 }
 
 TEST_F(BrokenCopies, ConservativeFindsATreeWithoutTheCellsFarCorners) {
-    expect_broken_promise(BrokenCopy("qdm", "cell_maximum.glsl", "cell_maximum(texel)", "tap_height_texel(texel)"),
-                          Promise::conservative);
+    expect_broken_promise(
+        BrokenCopy("qdm", "prepare_cell_maximum.glsl", "cell_maximum(texel)", "tap_height_texel(texel)"),
+        Promise::conservative);
 }
 
 TEST_F(BrokenCopies, FirstHitFindsABoxEnteredOneLevelTooHigh) {
@@ -142,9 +143,9 @@ TEST_F(BrokenCopies, FirstHitFindsABoxEnteredOneLevelTooHigh) {
 }
 
 TEST_F(BrokenCopies, FirstHitFindsMaximumMipmapsOverThreeOfFourNodes) {
-    expect_broken_promise(BrokenCopy("max_mip", "node_maximum.glsl", "node_maximum(texel)",
-                                     "max(max(previous_level(2 * texel).r, previous_level(2 * texel + ivec2(1, 0)).r), "
-                                     "previous_level(2 * texel + ivec2(0, 1)).r)"),
+    expect_broken_promise(BrokenCopy("max_mip", "prepare_node_maximum.glsl", "node_maximum(node)",
+                                     "max(max(previous_level(2 * node).r, previous_level(2 * node + ivec2(1, 0)).r), "
+                                     "previous_level(2 * node + ivec2(0, 1)).r)"),
                           Promise::first_hit);
 }
 

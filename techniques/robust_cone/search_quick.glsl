@@ -1,3 +1,0 @@
-#include "quick_cone.glsl"
-
-void prepare(ivec2 texel) { write_map(vec4(quick_cone(maxima, texel, quick_radius))); }
