@@ -313,7 +313,8 @@ TEST(Manifest, AnIdIsLowerCase) {
     EXPECT_NO_THROW(parse_manifest(complete(), "cone_step_2", "technique.json"));
 }
 
-TEST(Manifest, GlslTakesEveryNameThatIsAccepted) {
+/// That GLSL takes whatever name is accepted tests/technique asks the compiler.
+TEST(Manifest, ANameIsAWordOfLowerCaseThatNeitherGlslNorAnAxisHas) {
     for (const char* name : {"max_steps", "factor", "h", "vec", "matter", "scale", "mat_5", "flatness"}) {
         EXPECT_EQ(check_glsl_name(name), "") << name;
     }
