@@ -4,12 +4,13 @@
 Trace trace(ReliefRay ray) {
     // Of the whole ray in the space of the distances (metric.glsl): 1 / length is the ray parameter per distance.
     float inverse_length = 1.0 / length(vec3(straight_offset(ray), metric_height));
+    float s_end = ray.s_end;
     float s = 0.0;
     for (int steps = 1; steps <= max_steps; ++steps) {
         vec3 point = vec3(point_on_ray(ray, s), height_of_ray(ray, s));
         float distance_to_surface = metric_height * tap_map(surface_distances, point, 0.0).r;
-        if (distance_to_surface <= 0.0 || s >= ray.s_end) return hit_on_ray(min(s, ray.s_end), steps);
+        if (distance_to_surface <= 0.0 || s >= s_end) return hit_on_ray(min(s, s_end), steps);
         s += distance_to_surface * inverse_length;
     }
-    return hit_on_ray(min(s, ray.s_end), max_steps);
+    return hit_on_ray(min(s, s_end), max_steps);
 }
