@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/json_lookup.hpp"
 #include "core/suggest.hpp"
+#include "report/markdown.hpp"
 #include "report/text_layout.hpp"
 #include "scene/image_file.hpp"
 #include "scene/procedural.hpp"
@@ -87,6 +88,16 @@ ExitCode list_height_maps() {
     return ExitCode::done;
 }
 
+/// A list in columns.
+struct ListTable {
+    std::vector<std::string> titles;
+    std::vector<std::vector<std::string>> rows;
+    /// Columns of code, from the left.
+    std::size_t code_columns = 1;
+    /// Below the rows on a terminal.
+    std::string note = {};
+};
+
 constexpr std::string_view nothing_there = "-";
 
 /// Columns as wide as their widest text, which is `nothing_there` where it is empty.
@@ -108,6 +119,15 @@ std::string columns_text(std::vector<std::vector<std::string>> rows) {
     return text;
 }
 
+std::string markdown_of(const ListTable& table) {
+    std::vector<std::vector<std::string>> rows = table.rows;
+    for (std::vector<std::string>& row : rows) {
+        for (std::size_t column = 0; column < row.size(); ++column)
+            row[column] = column < table.code_columns ? markdown_code(row[column]) : markdown_text(row[column]);
+    }
+    return markdown_table(table.titles, std::string(table.titles.size(), 'l'), rows);
+}
+
 /// One entry a line.
 std::string lines_of_json(const Json& entries) {
     std::vector<std::string> lines;
@@ -117,46 +137,45 @@ std::string lines_of_json(const Json& entries) {
 }
 
 const std::vector<std::string>& list_format_names() {
-    static const std::vector<std::string> names = {"table", "json"};
+    static const std::vector<std::string> names = {"table", "json", "markdown"};
     return names;
 }
 
-bool is_json(const std::string& format) {
+void print_list(const ListTable& table, const Json& json, const std::string& format) {
     const std::vector<std::string>& names = list_format_names();
     if (std::find(names.begin(), names.end(), format) == names.end()) {
         fail("--format: there is no '{}'{}; the formats are {}", format, did_you_mean(format, names), join(names));
     }
-    return format == "json";
+    if (format == "json") {
+        print_results(lines_of_json(json));
+    } else if (format == "markdown") {
+        print_results(markdown_of(table));
+    } else {
+        print_results(columns_text(table.rows) + table.note);
+    }
 }
 
 ExitCode list_figures(const std::string& format) {
-    if (is_json(format)) {
-        print_results(lines_of_json(figures_to_json()));
-        return ExitCode::done;
-    }
-    std::vector<std::vector<std::string>> rows;
+    ListTable table{.titles = {"Figure", "Unit", "Better", "Needs", "What it is"}, .rows = {}};
     for (const FigureDeclaration& figure : figures())
-        rows.push_back({std::string(figure.path), std::string(figure.unit), std::string(to_string(figure.better)),
-                        std::string(figure.label)});
-    print_results(columns_text(std::move(rows)));
+        table.rows.push_back(
+            {figure.path, figure.unit, std::string(to_string(figure.better)), join(figure.needs, " "), figure.label});
+    print_list(table, figures_to_json(), format);
     return ExitCode::done;
 }
 
 ExitCode list_axes(const std::string& format) {
+    ListTable table{.titles = {"Axis", "Unit", "Default", "Values", "What it is"},
+                    .rows = {},
+                    .note = "and every parameter of a technique, and `technique` itself: see `list techniques`\n"};
     const Json axes = axis_list_json();
-    if (is_json(format)) {
-        print_results(lines_of_json(axes));
-        return ExitCode::done;
-    }
-    std::vector<std::vector<std::string>> rows;
     for (const Json& axis : axes) {
         const Json& usual = axis.at("default");
         const auto text = [&axis](const char* key) { return axis.at(key).get<std::string>(); };
-        rows.push_back({text("axis"), text("unit"), usual.is_null() ? "" : scalar_text(usual), text("values"),
-                        text("description")});
+        table.rows.push_back({text("axis"), text("unit"), usual.is_null() ? "" : scalar_text(usual), text("values"),
+                              text("description")});
     }
-    print_results(columns_text(std::move(rows)) +
-                  "and every parameter of a technique, and `technique` itself: see `list techniques`\n");
+    print_list(table, axes, format);
     return ExitCode::done;
 }
 
@@ -195,7 +214,8 @@ void add_list_command(CLI::App& app, ChosenCommand& chosen) {
 
     add_formatted_list(*list, chosen, "axes", "Axes of a sweep: name, unit, default, values, meaning", list_axes);
     add_formatted_list(*list, chosen, "figures",
-                       "Figures of a cell: name in its files, unit, which way is better, label", list_figures);
+                       "Figures of a cell: name in its files, unit, which way is better, what it needs, label",
+                       list_figures);
 }
 
 }  // namespace reliefbench

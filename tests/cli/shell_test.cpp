@@ -83,14 +83,20 @@ TEST_F(Shell, HelpOfEveryCommandShowsAnExample) {
     }
 }
 
-TEST_F(Shell, FiguresAreListedOneALineWithUnitAndDirection) {
+TEST_F(Shell, FiguresAreListedOneALineWithUnitDirectionAndWhatTheyNeed) {
     const std::string table = reliefbench({"list", "figures"}).out;
-    EXPECT_THAT(table, testing::ContainsRegex("\nerror.uv_texels.p99 +texels +lower +UV error, p99\n"));
-    EXPECT_THAT(table, testing::ContainsRegex("\nimage.psnr +dB +higher +PSNR, whole picture\n"));
-    EXPECT_THAT(table, testing::ContainsRegex("\nimage.footprint.ssim +- +higher +SSIM, footprint\n"));
+    EXPECT_THAT(table, testing::ContainsRegex("\nerror.uv_texels.p99 +texels +lower +truth +UV error, p99\n"));
+    EXPECT_THAT(table, testing::ContainsRegex("\nimage.psnr +dB +higher +truth lighting +PSNR, whole picture\n"));
+    EXPECT_THAT(table, testing::ContainsRegex("\nimage.footprint.ssim +- +higher +truth lighting +SSIM, footprint\n"));
+    EXPECT_THAT(table, testing::ContainsRegex("\nwork.taps_mean +- +lower +- +Taps per pixel\n"));
     const std::string json = reliefbench({"list", "figures", "--format", "json"}).out;
     EXPECT_EQ(json, read_file(RELIEFBENCH_SOURCE_DIR "/scripts/figures.json"));
     EXPECT_EQ(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')), Json::parse(json).size());
+    const std::string document = read_file(RELIEFBENCH_SOURCE_DIR "/docs/architecture.md");
+    EXPECT_THAT(document,
+                HasSubstr("<!-- reliefbench list figures --format markdown -->\n" +
+                          reliefbench({"list", "figures", "--format", "markdown"}).out + "<!-- end of the list -->\n"))
+        << "write it again: scripts/write_figures";
     const Outcome refused = reliefbench({"list", "figures", "--format", "jsn"});
     EXPECT_EQ(refused.code, 2);
     EXPECT_THAT(refused.err, HasSubstr("did you mean 'json'"));
