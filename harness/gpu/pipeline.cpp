@@ -218,10 +218,8 @@ namespace {
 vk::raii::Pipeline make_graphics(const DeviceHandles& handles, const GraphicsPipelineOptions& options,
                                  const std::vector<vk::PipelineShaderStageCreateInfo>& stages,
                                  vk::PipelineLayout layout) {
-    const bool patches = options.patch_vertices > 0;
     const vk::PipelineVertexInputStateCreateInfo vertex_input{};
-    const vk::PipelineInputAssemblyStateCreateInfo assembly{
-        .topology = patches ? vk::PrimitiveTopology::ePatchList : vk::PrimitiveTopology::eTriangleStrip};
+    const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = options.topology};
     // The tessellator's v runs up as the patch's does, so that `ccw` in GLSL is counter-clockwise seen from above.
     const vk::PipelineTessellationDomainOriginStateCreateInfo origin{.domainOrigin =
                                                                          vk::TessellationDomainOrigin::eLowerLeft};
@@ -231,11 +229,10 @@ vk::raii::Pipeline make_graphics(const DeviceHandles& handles, const GraphicsPip
     const std::array dynamic_states{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic{.dynamicStateCount = dynamic_states.size(),
                                                      .pDynamicStates = dynamic_states.data()};
-    const vk::PipelineRasterizationStateCreateInfo rasterization{
-        .polygonMode = vk::PolygonMode::eFill,
-        .cullMode = patches ? vk::CullModeFlagBits::eBack : vk::CullModeFlagBits::eNone,
-        .frontFace = vk::FrontFace::eCounterClockwise,
-        .lineWidth = 1};
+    const vk::PipelineRasterizationStateCreateInfo rasterization{.polygonMode = vk::PolygonMode::eFill,
+                                                                 .cullMode = options.cull,
+                                                                 .frontFace = vk::FrontFace::eCounterClockwise,
+                                                                 .lineWidth = 1};
     const vk::PipelineMultisampleStateCreateInfo multisampling{.rasterizationSamples = vk::SampleCountFlagBits::e1};
     const vk::PipelineDepthStencilStateCreateInfo depth{
         .depthTestEnable = true, .depthWriteEnable = true, .depthCompareOp = options.depth_compare};
@@ -249,21 +246,22 @@ vk::raii::Pipeline make_graphics(const DeviceHandles& handles, const GraphicsPip
         .colorAttachmentCount = static_cast<std::uint32_t>(options.colour_formats.size()),
         .pColorAttachmentFormats = options.colour_formats.data(),
         .depthAttachmentFormat = options.depth_format};
-    return vk::raii::Pipeline(handles.device, handles.pipeline_cache,
-                              vk::GraphicsPipelineCreateInfo{.pNext = &rendering,
-                                                             .flags = options.flags,
-                                                             .stageCount = static_cast<std::uint32_t>(stages.size()),
-                                                             .pStages = stages.data(),
-                                                             .pVertexInputState = &vertex_input,
-                                                             .pInputAssemblyState = &assembly,
-                                                             .pTessellationState = patches ? &tessellation : nullptr,
-                                                             .pViewportState = &viewports,
-                                                             .pRasterizationState = &rasterization,
-                                                             .pMultisampleState = &multisampling,
-                                                             .pDepthStencilState = &depth,
-                                                             .pColorBlendState = &blending,
-                                                             .pDynamicState = &dynamic,
-                                                             .layout = layout});
+    return vk::raii::Pipeline(
+        handles.device, handles.pipeline_cache,
+        vk::GraphicsPipelineCreateInfo{.pNext = &rendering,
+                                       .flags = options.flags,
+                                       .stageCount = static_cast<std::uint32_t>(stages.size()),
+                                       .pStages = stages.data(),
+                                       .pVertexInputState = &vertex_input,
+                                       .pInputAssemblyState = &assembly,
+                                       .pTessellationState = options.patch_vertices > 0 ? &tessellation : nullptr,
+                                       .pViewportState = &viewports,
+                                       .pRasterizationState = &rasterization,
+                                       .pMultisampleState = &multisampling,
+                                       .pDepthStencilState = &depth,
+                                       .pColorBlendState = &blending,
+                                       .pDynamicState = &dynamic,
+                                       .layout = layout});
 }
 
 }  // namespace
@@ -293,8 +291,9 @@ Pipeline make_graphics_pipeline(const Device& device, const GraphicsPipelineOpti
         std::string key = shared_key(options.stages, options.constants);
         for (const vk::Format format : options.colour_formats)
             key += fmt::format("colour {};", vk::to_string(format));
-        key += fmt::format("depth {} {};patch {};flags {};", vk::to_string(options.depth_format),
-                           vk::to_string(options.depth_compare), options.patch_vertices, vk::to_string(options.flags));
+        key += fmt::format("depth {} {};{} cull {} patch {};flags {};", vk::to_string(options.depth_format),
+                           vk::to_string(options.depth_compare), vk::to_string(options.topology),
+                           vk::to_string(options.cull), options.patch_vertices, vk::to_string(options.flags));
         Pipeline result;
         result.shared = device.shared_pipelines().get(key, make);
         result.extent = options.extent;

@@ -66,7 +66,9 @@ struct GraphicsPipelineOptions {
     std::vector<vk::Format> colour_formats;
     vk::Format depth_format = vk::Format::eUndefined;
     vk::Extent2D extent;
-    /// With tessellation stages: vertices of a patch; back faces are culled. 0: triangle strips, nothing culled.
+    vk::PrimitiveTopology topology = vk::PrimitiveTopology::eTriangleStrip;
+    vk::CullModeFlags cull = vk::CullModeFlagBits::eNone;
+    /// Of a patch list, which has tessellation stages.
     std::uint32_t patch_vertices = 0;
     vk::CompareOp depth_compare = vk::CompareOp::eLessOrEqual;
     vk::PipelineCreateFlags flags = {};

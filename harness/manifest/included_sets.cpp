@@ -1,5 +1,6 @@
 #include "manifest/included_sets.hpp"
 
+#include "manifest/shape.hpp"
 #include "manifest/shared_shaders.hpp"
 
 #include <fmt/format.h>
@@ -9,8 +10,6 @@
 namespace reliefbench {
 
 namespace {
-
-constexpr const char* quad_set = "quad.json";
 
 IncludedSet read_set(const std::string& name, const std::filesystem::path& file) {
     IncludedSet set{name, file.string(), read_json_file(file)};
@@ -46,14 +45,20 @@ std::vector<IncludedSet> read_included_sets(const JsonView& manifest, const std:
             const std::filesystem::path file = is_plain ? find_shared_file(shared, name) : std::filesystem::path();
             if (file.empty())
                 item.fail_expected("a .json file that stands beside the shared shaders (harness/shaders/library)");
-            if (name == quad_set || std::ranges::find(sets, name, &IncludedSet::name) != sets.end()) {
+            const bool is_of_a_shape =
+                std::ranges::find(shape_kinds(), name, &ShapeKind::parameter_set) != shape_kinds().end();
+            if (is_of_a_shape || std::ranges::find(sets, name, &IncludedSet::name) != sets.end()) {
                 item.fail_here(fmt::format("'{}' is included already", name));
             }
             sets.push_back(read_set(name, file));
         }
     }
-    const std::filesystem::path file = find_shared_file(shared, quad_set);
-    if (manifest.at("shape").json() == Json("quad") && !file.empty()) sets.push_back(read_set(quad_set, file));
+    for (const ShapeKind& kind : shape_kinds()) {
+        const std::filesystem::path file = find_shared_file(shared, kind.parameter_set);
+        const Json& shape = manifest.at("shape").json();
+        const bool is_named = shape == Json(kind.word) || (shape.is_object() && shape.contains(kind.word));
+        if (is_named && !file.empty()) sets.push_back(read_set(kind.parameter_set, file));
+    }
     return sets;
 }
 

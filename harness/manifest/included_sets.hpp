@@ -19,7 +19,7 @@ struct IncludedSet {
     JsonView view() const { return {json, file}; }
 };
 
-/// Those that a manifest names under "include", and quad.json where there is one and the shape is "quad". A name that
+/// Those that a manifest names under "include", and that of the manifest's shape where there is one. A name that
 /// is no file of the folder `shared` is an Error.
 std::vector<IncludedSet> read_included_sets(const JsonView& manifest, const std::filesystem::path& shared);
 

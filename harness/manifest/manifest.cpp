@@ -39,13 +39,6 @@ int MapDeclaration::slices(const ParameterValues& values) const {
     return depth_parameter ? static_cast<int>(std::get<std::int64_t>(values.at(*depth_parameter))) : depth;
 }
 
-int Shape::patch_corners(const ParameterValues& values) const {
-    const bool triangles = !triangles_with.empty() && std::ranges::all_of(triangles_with, [&](const auto& named) {
-        return values.at(named.first) == named.second;
-    });
-    return triangles ? 3 : 4;
-}
-
 const Parameter* Manifest::find_parameter(const std::string& name) const {
     const auto found = std::ranges::find(parameters, name, &Parameter::name);
     return found == parameters.end() ? nullptr : &*found;
@@ -76,11 +69,6 @@ void reset_idle(const Manifest& manifest, ParameterValues& values) {
     }
 }
 
-std::vector<std::string> stage_files(Shape::Kind shape) {
-    if (shape == Shape::Kind::quad) return {"quad.vert", "quad.frag"};
-    return {"patches.vert", "control.tesc", "evaluation.tese", "patches.frag"};
-}
-
 Manifest load_manifest(const std::filesystem::path& folder, const std::filesystem::path& shared,
                        const std::vector<std::string>& known_features) {
     // "techniques/mine/" has an empty last component.
@@ -97,12 +85,8 @@ Manifest load_manifest(const std::filesystem::path& folder, const std::filesyste
                  (is_shared ? shared : folder).string());
         }
     };
-    if (manifest.shape.kind == Shape::Kind::quad) {
-        require_file(false, "trace.glsl", "the shape \"quad\"");
-    } else {
-        require_file(false, "control.tesc", "the shape \"patches\"");
-        require_file(false, "evaluation.tese", "the shape \"patches\"");
-    }
+    for (const std::string& name : shape_kind(manifest.shape.kind).own_files)
+        require_file(false, name, fmt::format("the shape \"{}\"", manifest.shape.kind));
     for (const PassDeclaration& pass : manifest.passes)
         require_file(pass.is_shared, pass.shader, "the pass '" + pass.name + "'");
     return manifest;

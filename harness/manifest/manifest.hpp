@@ -2,6 +2,7 @@
 
 #include "core/json.hpp"
 #include "manifest/parameter.hpp"
+#include "manifest/shape.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -107,26 +108,6 @@ struct PassDeclaration {
     std::optional<Slicing> sliced = {};
 };
 
-/// How the technique draws.
-struct Shape {
-    enum class Kind {
-        /// The quad of the patch; the technique is one function, trace.glsl.
-        quad,
-        /// A grid of quad patches through tessellation stages: control.tesc and evaluation.tese of the folder.
-        patches,
-    };
-    Kind kind = Kind::quad;
-    /// Kind::patches only: the integer parameter that says how many patches a side has; at 0 there is one patch for
-    /// each `texels_per_patch` texels.
-    std::string patches_parameter;
-    int texels_per_patch = 64;
-    /// Kind::patches only: with these parameter values each quad of the grid is two triangles; empty: never.
-    ParameterValues triangles_with;
-
-    /// Of a patch: 4 or 3. Kind::patches only.
-    int patch_corners(const ParameterValues& values) const;
-};
-
 /// Who searches along a light's ray for hard self-shadows.
 enum class ShadowSearch {
     /// The technique's own trace().
@@ -134,11 +115,6 @@ enum class ShadowSearch {
     /// The harness's march in uniform layers.
     uniform_layers,
 };
-
-/// The files that a draw of the shape is compiled from, in the pipeline's order: of the shared shaders, and for patches
-/// the technique's own tessellation stages. The shared ones include what else there is (quad.frag the technique's
-/// trace.glsl).
-std::vector<std::string> stage_files(Shape::Kind shape);
 
 /// Contract 1 is that of version 0.1.0, 2 that of version 0.2.0.
 inline constexpr int newest_contract = 2;
@@ -178,7 +154,7 @@ struct Manifest {
 
 /// Strict: unknown keys, wrong types, names that GLSL cannot take, promises with unknown parameters, passes that write
 /// undeclared maps, are Errors that name the file and the JSON path. The sets of parameters that it includes are files
-/// of the folder `shared` (harness/shaders); one of them, quad.json, belongs to every technique of the shape "quad".
+/// of the folder `shared` (harness/shaders); a shape may have one that belongs to each of its techniques.
 /// Names that these shaders use (names_of_shaders) are Errors, too; where `folder`, the technique's own, is not given,
 /// only those of what is compiled with every technique of the shape.
 /// Features are of `known_features`, which the device layer has; where there are none, by any name.

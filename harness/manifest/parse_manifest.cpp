@@ -2,7 +2,7 @@
 #include "core/suggest.hpp"
 #include "manifest/included_sets.hpp"
 #include "manifest/manifest.hpp"
-#include "manifest/parameter_json.hpp"
+#include "manifest/parse_names.hpp"
 #include "manifest/parse_parameter.hpp"
 #include "manifest/shader_names.hpp"
 #include "manifest/words.hpp"
@@ -30,24 +30,6 @@ const std::vector<std::string> shadow_searches{"own", "uniform_layers"};
 
 const std::vector<std::string> kinds = words("texture parallax march hierarchy cone geometry");
 const std::vector<std::string> map_formats{"r8", "r16", "rg16", "r32f", "rg32f", "rgba8", "rgba16", "rgba32f"};
-
-std::string parameter_names(const Manifest& manifest, const std::string& word) {
-    std::vector<std::string> names;
-    for (const Parameter& parameter : manifest.parameters)
-        names.push_back(parameter.name);
-    return did_you_mean(word, names);
-}
-
-/// The name of an integer parameter.
-std::string parse_integer_name(const JsonView& view, const Manifest& manifest) {
-    const std::string name = view.string();
-    const Parameter* parameter = manifest.find_parameter(name);
-    if (!parameter) view.fail_here(fmt::format("no parameter '{}'{}", name, parameter_names(manifest, name)));
-    if (parameter->type != ParameterType::integer) {
-        view.fail_here(fmt::format("the parameter '{}' must be of type integer", name));
-    }
-    return name;
-}
 
 std::string parse_sample_count_name(const JsonView& view, const Manifest& manifest) {
     const std::string name = parse_integer_name(view, manifest);
@@ -224,39 +206,6 @@ void parse_maps_and_passes(const JsonView& own, const std::vector<IncludedSet>& 
     }
 }
 
-/// Values of some of the parameters.
-ParameterValues parse_values(const JsonView& view, const Manifest& manifest) {
-    ParameterValues values;
-    for (const auto& [name, value] : view.members()) {
-        const Parameter* parameter = manifest.find_parameter(name);
-        if (!parameter) value.fail_here(fmt::format("no parameter '{}'{}", name, parameter_names(manifest, name)));
-        values.emplace(name, read_parameter_value(*parameter, value));
-    }
-    return values;
-}
-
-Shape parse_shape(const JsonView& view, const Manifest& manifest) {
-    Shape shape;
-    if (!view.json().is_object()) {
-        if (view.json() != Json("quad")) view.fail_expected("\"quad\" or {\"patches\": {\"parameter\": ...}}");
-        return shape;
-    }
-    view.require_only({"patches"});
-    const JsonView patches = view.at("patches");
-    patches.require_only({"parameter", "texels_per_patch", "triangles"});
-    shape.kind = Shape::Kind::patches;
-    shape.patches_parameter = parse_integer_name(patches.at("parameter"), manifest);
-    if (manifest.find_parameter(shape.patches_parameter)->minimum < 0) {
-        patches.at("parameter").fail_here("the number of patches must not be negative; let its range begin at 0 or 1");
-    }
-    if (patches.has("texels_per_patch")) {
-        constexpr int largest_map = 16384;
-        shape.texels_per_patch = static_cast<int>(patches.at("texels_per_patch").integer(1, largest_map));
-    }
-    if (patches.has("triangles")) shape.triangles_with = parse_values(patches.at("triangles"), manifest);
-    return shape;
-}
-
 PromiseDeclaration parse_promise(const JsonView& view, const Manifest& manifest) {
     view.require_only({"promise", "with", "halvings", "within"});
     PromiseDeclaration declared;
@@ -287,13 +236,15 @@ PromiseDeclaration parse_promise(const JsonView& view, const Manifest& manifest)
 
 /// In version 0.1.0, whose contract is 1, it hung on the kind.
 ShadowSearch parse_shadow_search(const JsonView& view, const Manifest& manifest) {
+    const bool traces = shape_kind(manifest.shape.kind).traces;
     if (view.has("shadow_search")) {
         const JsonView search = view.at("shadow_search");
-        if (manifest.shape.kind != Shape::Kind::quad) search.fail_here("it belongs to the shape \"quad\" only");
+        if (!traces)
+            search.fail_here(fmt::format("a technique of the shape \"{}\" searches nothing", manifest.shape.kind));
         return static_cast<ShadowSearch>(search.choice(shadow_searches));
     }
-    const bool searches = manifest.shape.kind == Shape::Kind::quad &&
-                          (manifest.kind == "march" || manifest.kind == "hierarchy" || manifest.kind == "cone");
+    const bool searches =
+        traces && (manifest.kind == "march" || manifest.kind == "hierarchy" || manifest.kind == "cone");
     return manifest.contract == 1 && searches ? ShadowSearch::own : ShadowSearch::uniform_layers;
 }
 
@@ -351,8 +302,10 @@ Manifest parse_manifest(const Json& json, const std::string& id, const std::stri
     if (view.has("needs")) manifest.map_needs = parse_needs(view.at("needs"));
     parse_maps_and_passes(view, sets, manifest, names);
     manifest.shape = parse_shape(view.at("shape"), manifest);
-    const bool tessellates = std::ranges::find(manifest.features, "tessellationShader") != manifest.features.end();
-    if (manifest.shape.kind == Shape::Kind::patches && !tessellates) manifest.features.push_back("tessellationShader");
+    for (const std::string& feature : shape_kind(manifest.shape.kind).features) {
+        if (std::ranges::find(manifest.features, feature) == manifest.features.end())
+            manifest.features.push_back(feature);
+    }
     manifest.shadow_search = parse_shadow_search(view, manifest);
     if (!shared.empty()) names.require_none_of(names_of_shaders(manifest, shared, folder));
     for (const JsonView& item : view.at("promises").items()) {

@@ -3,8 +3,6 @@
 #include "gpu/commands.hpp"
 #include "scene/colour.hpp"
 
-#include <algorithm>
-
 namespace reliefbench {
 
 namespace {
@@ -14,15 +12,6 @@ constexpr std::uint32_t object_vertices = 3;
 /// Constants of scene.glsl that the object is drawn with, too.
 constexpr const char* srgb_target = "srgb_target";
 constexpr const char* lighting_enabled = "lighting_enabled";
-
-/// lavapipe (Mesa 22.3) numbers the vertices that tessellation makes in one draw with 16 bits and silently connects
-/// wrong ones beyond; 15 patches at the largest factor, of 65·65 vertices each, stay below. It also takes time that
-/// grows with the square of a draw's vertices: 16 such patches took five times as long in draws of 15 as in draws of 4.
-std::uint32_t vertices_per_draw(const gpu::Device& device, const DrawSetup& setup) {
-    constexpr std::uint32_t patches_on_cpu = 4;
-    const bool limited = setup.patch_corners > 0 && device.info().type == gpu::DeviceType::cpu;
-    return limited ? patches_on_cpu * setup.patch_corners : setup.vertices;
-}
 
 std::vector<vk::Format> target_formats(Draw::Kind kind) {
     switch (kind) {
@@ -54,7 +43,9 @@ gpu::GraphicsPipelineOptions pipeline_options(const gpu::Device& device, const T
         .colour_formats = target_formats(kind),
         .depth_format = depth_format,
         .extent = setup.extent,
-        .patch_vertices = setup.patch_corners};
+        .topology = setup.geometry.topology,
+        .cull = setup.geometry.cull,
+        .patch_vertices = setup.geometry.patch_vertices};
     options.constants[srgb_target] = kind == Draw::Kind::timed_display ? 1 : 0;
     // What of the object stands before the near plane has a depth of 0, as the polygon has under parallel rays.
     if (setup.object && kind != Draw::Kind::probed) options.depth_compare = vk::CompareOp::eLess;
@@ -66,8 +57,8 @@ gpu::GraphicsPipelineOptions pipeline_options(const gpu::Device& device, const T
 Draw::Draw(const gpu::Device& device, const Technique& technique, Kind kind, const DrawSetup& setup)
     : device_(&device),
       extent_(setup.extent),
-      vertices_(setup.vertices),
-      vertices_per_draw_(vertices_per_draw(device, setup)),
+      way_(&pipeline_of(technique.manifest)),
+      geometry_(setup.geometry),
       depth_(device, setup.extent, depth_format, 1,
              vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eTransferSrc) {
     for (const vk::Format format : target_formats(kind))
@@ -123,8 +114,7 @@ void Draw::record(const vk::raii::CommandBuffer& commands) const {
         commands.draw(object_vertices, 1, 0, 0);
     }
     pipeline_.bind(commands);
-    for (std::uint32_t first = 0; first < vertices_; first += vertices_per_draw_)
-        commands.draw(std::min(vertices_per_draw_, vertices_ - first), 1, first, 0);
+    way_->record(commands, geometry_);
     commands.endRendering();
 }
 

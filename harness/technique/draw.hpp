@@ -6,6 +6,7 @@
 #include "gpu/memory.hpp"
 #include "gpu/pipeline.hpp"
 #include "technique/object_draw.hpp"
+#include "technique/pipeline/draw_pipeline.hpp"
 #include "technique/program.hpp"
 #include "technique/renderer.hpp"
 #include "technique/work_counters.hpp"
@@ -22,9 +23,7 @@ struct DrawSetup {
     ParameterValues parameters;
     gpu::SpecializationValues constants;
     std::vector<gpu::Binding> bindings;
-    std::uint32_t vertices = 4;
-    /// Vertices of a patch; 0: no patches, but the strip of the quad.
-    std::uint32_t patch_corners = 0;
+    DrawGeometry geometry;
     DepthWrite depth_write = DepthWrite::on;
     /// Drawn first, into what is timed.
     std::optional<ObjectOnDevice> object = {};
@@ -53,8 +52,8 @@ public:
 private:
     const gpu::Device* device_;
     vk::Extent2D extent_;
-    std::uint32_t vertices_;
-    std::uint32_t vertices_per_draw_;
+    const DrawPipeline* way_;
+    DrawGeometry geometry_;
     std::vector<gpu::Texture> colours_;
     std::vector<vk::ClearColorValue> clears_;
     gpu::Texture depth_;

@@ -4,6 +4,7 @@
 #include "gpu/shader_cache.hpp"
 #include "manifest/shared_shaders.hpp"
 #include "technique/counted_fetches.hpp"
+#include "technique/pipeline/draw_pipeline.hpp"
 
 #include <algorithm>
 #include <array>
@@ -163,12 +164,9 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
     }
     std::string key = fmt::format("{} {}{}", probed ? "probed" : "timed", static_cast<int>(depth_write),
                                   compile_time_key(manifest, parameters));
-    if (manifest.shape.kind == Shape::Kind::patches) {
-        const std::string corners =
-            fmt::format("const int patch_corners = {};\n", manifest.shape.patch_corners(parameters));
-        preamble += corners;
-        key += corners;
-    }
+    const std::string of_pipeline = pipeline_of(manifest).preamble(manifest, parameters);
+    preamble += of_pipeline;
+    key += of_pipeline;
 
     std::vector<gpu::CompiledStage> stages;
     for (const std::string& file : stage_files(manifest.shape.kind)) {

@@ -7,6 +7,7 @@
 #include "technique/derived_maps.hpp"
 #include "technique/draw.hpp"
 #include "technique/object_draw.hpp"
+#include "technique/pipeline/draw_pipeline.hpp"
 #include "technique/program.hpp"
 #include "technique/scene_textures.hpp"
 #include "technique/scene_uniforms.hpp"
@@ -19,8 +20,6 @@
 namespace reliefbench {
 
 namespace {
-
-constexpr std::uint32_t quad_corners = 4;
 
 template <typename Texel>
 Image<Texel> to_image(Resolution size, const std::vector<std::byte>& bytes) {
@@ -133,6 +132,7 @@ struct Renderer::State {
         return *display_draw;
     }
 
+    DrawGeometry geometry_of(const View& from) const;
     gpu::Buffer make_uniforms(const View& from) const;
     /// Of a draw that reads its scene's values from `values`.
     DrawSetup make_setup(const View& from, const gpu::Buffer& values) const;
@@ -145,9 +145,13 @@ struct Renderer::State {
     std::unique_ptr<TimedRecording> timing;
 };
 
+DrawGeometry Renderer::State::geometry_of(const View& from) const {
+    return pipeline_of(technique.manifest)
+        .geometry(device, {technique.manifest, parameters, from, scene.textures().size});
+}
+
 gpu::Buffer Renderer::State::make_uniforms(const View& from) const {
-    const PatchGrid grid = patch_grid(technique.manifest, parameters, from, scene.textures().size);
-    return upload_uniforms(device, make_scene_uniforms(from, lighting, grid));
+    return upload_uniforms(device, make_scene_uniforms(from, lighting, geometry_of(from).grid));
 }
 
 DrawSetup Renderer::State::make_setup(const View& from, const gpu::Buffer& values) const {
@@ -166,15 +170,7 @@ DrawSetup Renderer::State::make_setup(const View& from, const gpu::Buffer& value
     result.depth_write = from.depth_write;
     if (object)
         result.object.emplace(device, *object, technique.shaders, gpu::uniform_buffer(scene_block_name, values.buffer));
-    result.vertices = quad_corners;
-    const Shape& shape = technique.manifest.shape;
-    if (shape.kind == Shape::Kind::patches) {
-        const PatchGrid grid = patch_grid(technique.manifest, parameters, from, scene.textures().size);
-        result.patch_corners = static_cast<std::uint32_t>(shape.patch_corners(parameters));
-        const std::uint32_t patches_per_quad = result.patch_corners == quad_corners ? 1 : 2;
-        result.vertices =
-            result.patch_corners * patches_per_quad * static_cast<std::uint32_t>(grid.count.x * grid.count.y);
-    }
+    result.geometry = geometry_of(from);
     for (int i = 0; i < 3; ++i)
         result.background[static_cast<std::size_t>(i)] = static_cast<float>(lighting.background[i]);
     return result;
@@ -284,7 +280,7 @@ PipelineStatistics Renderer::pipeline_statistics() {
     if (!state_->device.info().has_feature("pipelineStatisticsQuery")) return {};
     assert(state_->prepared);
     const Draw& display = state_->display();
-    const gpu::PipelineStatisticsQuery query(state_->device, state_->setup.patch_corners > 0);
+    const gpu::PipelineStatisticsQuery query(state_->device, state_->setup.geometry.patch_vertices > 0);
     gpu::submit_and_wait(state_->device, "count pipeline statistics", [&](const vk::raii::CommandBuffer& commands) {
         display.begin(commands);
         query.start(commands);

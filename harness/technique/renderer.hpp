@@ -161,6 +161,9 @@ std::string unsupported_reason(const gpu::Device& device, const Technique& techn
 /// Of the technique's derived maps on the device, those that exist while they are made only included.
 std::uint64_t derived_map_bytes(const Technique& technique, const ParameterValues& parameters, Resolution height_map);
 
+/// What u, v and h of the technique's hits may leave [0, 1] by.
+double range_tolerance(const Manifest& manifest);
+
 /// Of the device's own memory: its largest heap.
 std::uint64_t device_memory_bytes(const gpu::Device& device);
 

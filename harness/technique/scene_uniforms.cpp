@@ -2,50 +2,12 @@
 
 #include "core/error.hpp"
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include <cassert>
 #include <cmath>
 
 namespace reliefbench {
-
-namespace {
-
-/// PatchGrid before its numbers are known to be integers of 32 bits.
-struct RealGrid {
-    glm::dvec2 per_side{1, 1};
-    glm::dvec2 first{0, 0};
-    glm::dvec2 count{1, 1};
-};
-
-RealGrid real_grid(const Manifest& manifest, const ParameterValues& values, const View& view, Resolution height_map) {
-    RealGrid grid;
-    if (manifest.shape.kind == Shape::Kind::quad) return grid;
-    const auto asked = std::get<std::int64_t>(values.at(manifest.shape.patches_parameter));
-    const glm::dvec2 texels = view.relief.tiling * glm::dvec2(height_map.width, height_map.height);
-    grid.per_side = asked > 0 ? glm::dvec2(static_cast<double>(asked))
-                              : glm::max(glm::ceil(texels / double(manifest.shape.texels_per_patch)), 1.0);
-    const PatchRegion region = view.relief.boundary == Boundary::clip
-                                   ? PatchRegion{}
-                                   : visible_region(view.relief.base, view.camera, view.relief.height_scale);
-    grid.first = glm::floor(region.low * grid.per_side);
-    grid.count = glm::ceil(region.high * grid.per_side) - grid.first;
-    return grid;
-}
-
-}  // namespace
-
-PatchGrid patch_grid(const Manifest& manifest, const ParameterValues& values, const View& view, Resolution height_map) {
-    const RealGrid grid = real_grid(manifest, values, view, height_map);
-    return {glm::ivec2(grid.per_side), glm::ivec2(grid.first), glm::ivec2(grid.count)};
-}
-
-double patch_count(const Manifest& manifest, const ParameterValues& values, const View& view, Resolution height_map) {
-    const RealGrid grid = real_grid(manifest, values, view, height_map);
-    return grid.count.x * grid.count.y;
-}
 
 SceneUniforms make_scene_uniforms(const View& view, const Lighting& lighting, const PatchGrid& patches) {
     if (lighting.lights.size() > max_lights)

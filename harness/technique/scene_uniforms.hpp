@@ -65,13 +65,6 @@ struct PatchGrid {
     glm::ivec2 count{1, 1};
 };
 
-/// Boundary::clip: the unit square. Boundary::repeat: also what rays that enter inside the unit square can reach
-/// within the relief.
-PatchGrid patch_grid(const Manifest& manifest, const ParameterValues& values, const View& view, Resolution height_map);
-
-/// Of patch_grid, also where that would be more than it can count.
-double patch_count(const Manifest& manifest, const ParameterValues& values, const View& view, Resolution height_map);
-
 /// At most `max_lights` lights, and directions of any length but zero: else an Error.
 SceneUniforms make_scene_uniforms(const View& view, const Lighting& lighting, const PatchGrid& patches);
 

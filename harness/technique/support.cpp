@@ -1,8 +1,8 @@
 #include "core/error.hpp"
 #include "technique/derived_maps.hpp"
 #include "technique/map_needs.hpp"
+#include "technique/pipeline/draw_pipeline.hpp"
 #include "technique/renderer.hpp"
-#include "technique/scene_uniforms.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -58,25 +58,6 @@ std::string too_large_for_one_image(const gpu::Device& device, const std::string
     return fmt::format("{} would take {} bytes; {} gives at most {} at once", what, bytes, device.info().name, most);
 }
 
-/// What no device is asked to draw at once: a mistake in tiling or view, not a measurement.
-constexpr double most_patches = 1 << 22;
-/// Vulkan's minimum, and the most that technique.json can ask for.
-constexpr int tessellation_factor = 64;
-
-std::string unsupported_patches(const gpu::Device& device, const Technique& technique,
-                                const ParameterValues& parameters, const View& view, Resolution height_map) {
-    if (view.self_shadow.mode != SelfShadow::Mode::off)
-        return "self-shadowing searches along the light's ray in the relief; real geometry has no such search (an "
-               "engine would give it a shadow map)";
-    if (view.depth_write != DepthWrite::on) return "real geometry has its own depth, and no other";
-    if (device.info().max_tessellation_factor < tessellation_factor)
-        return fmt::format("{} cuts sides of patches into at most {} segments; {} are needed", device.info().name,
-                           device.info().max_tessellation_factor, tessellation_factor);
-    const double patches = patch_count(technique.manifest, parameters, view, height_map);
-    if (patches <= most_patches) return {};
-    return fmt::format("the view would take {:.3g} patches, more than {:.0f}", patches, most_patches);
-}
-
 std::string unsupported_map(const gpu::Device& device, const MapDeclaration& map, const ParameterValues& parameters,
                             Resolution height_map) {
     const vk::Extent2D extent = map_extent(map, height_map);
@@ -106,17 +87,13 @@ std::string unsupported_reason(const gpu::Device& device, const Technique& techn
     const gpu::DeviceInfo& info = device.info();
     std::vector<std::string> needed = technique.manifest.features;
     needed.emplace_back("fragmentStoresAndAtomics");
-    if (technique.manifest.shape.kind == Shape::Kind::patches) {
-        needed.emplace_back("tessellationShader");
-        needed.emplace_back("vertexPipelineStoresAndAtomics");
-    }
+    const DrawPipeline& pipeline = pipeline_of(technique.manifest);
+    needed.insert(needed.end(), pipeline.features.begin(), pipeline.features.end());
     for (const std::string& feature : needed) {
         if (!info.has_feature(feature)) return fmt::format("{} lacks the feature {}", info.name, feature);
     }
-    if (technique.manifest.shape.kind == Shape::Kind::patches) {
-        const std::string reason = unsupported_patches(device, technique, parameters, view, height_map);
-        if (!reason.empty()) return reason;
-    }
+    const std::string undrawn = pipeline.unsupported(device, {technique.manifest, parameters, view, height_map});
+    if (!undrawn.empty()) return undrawn;
     const int largest = std::max({view.resolution.width, view.resolution.height, height_map.width, height_map.height});
     if (largest > info.max_image_side)
         return fmt::format("an image would be {} texels on a side; {} has {}", largest, info.name, info.max_image_side);

@@ -102,12 +102,6 @@ double depth_of(const glm::dmat4& clip_from_world, const glm::dvec3& point) {
     return clip.z / clip.w;
 }
 
-/// What u, v and h may leave [0, 1] by. A rasteriser snaps vertices to 1/256 pixel, so that what it interpolates on the
-/// outline of real geometry is extrapolated by as much.
-double range_tolerance(const Manifest& manifest) {
-    return manifest.shape.kind == Shape::Kind::patches ? 1e-3 : 1e-6;
-}
-
 /// By how much u, v or h of a hit leave [0, 1]; u and v may where the relief repeats.
 double excess_of(const Hit& hit, const Relief& relief) {
     const auto beyond = [](double x) { return std::max({0.0, -x, x - 1}); };

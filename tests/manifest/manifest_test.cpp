@@ -93,7 +93,7 @@ TEST(Manifest, IsReadInFull) {
     ASSERT_EQ(manifest.passes.size(), 3U);
     EXPECT_EQ(manifest.passes[1].levels, PassDeclaration::Levels::above_base);
     EXPECT_EQ(manifest.passes[2].shader, "sub/search.glsl");
-    EXPECT_EQ(manifest.shape.kind, Shape::Kind::quad);
+    EXPECT_EQ(manifest.shape.kind, "quad");
     ASSERT_EQ(manifest.promises.size(), 2U);
     EXPECT_EQ(manifest.promises[0].promise, Promise::order_1);
     EXPECT_EQ(manifest.promises[0].halvings, "binary_steps");
@@ -148,7 +148,7 @@ TEST(Manifest, PatchesNameTheirParameterAndNeedTessellation) {
     json.erase("features");
     json["shape"] = parse_json(R"({"patches": {"parameter": "binary_steps"}})", "test");
     const Manifest manifest = parse(json);
-    EXPECT_EQ(manifest.shape.kind, Shape::Kind::patches);
+    EXPECT_EQ(manifest.shape.kind, "patches");
     EXPECT_EQ(manifest.shape.patches_parameter, "binary_steps");
     EXPECT_EQ(manifest.shape.texels_per_patch, 64);
     EXPECT_THAT(manifest.features, ElementsAre("tessellationShader"));
@@ -173,7 +173,7 @@ TEST(Manifest, WhoseSearchCastsHardShadowsIsSaidAndOfContract1MayHangOnTheKind) 
     Json patches = with("/shape", parse_json(R"({"patches": {"parameter": "binary_steps"}})", "test"));
     EXPECT_EQ(parse(patches).shadow_search, ShadowSearch::uniform_layers);
     patches["shadow_search"] = "own";
-    EXPECT_THAT(message_of(patches), HasSubstr("$.shadow_search: it belongs to the shape \"quad\" only"));
+    EXPECT_THAT(message_of(patches), HasSubstr("$.shadow_search: a technique of the shape \"patches\" searches nothing"));
 }
 
 TEST(Manifest, TheSampleCountTakesTheAdaptiveMinimumAlong) {

@@ -110,7 +110,7 @@ TEST_F(SourceIdentity, OfAFolderWithNothingElseIsTheHashOfVersion010) {
 }
 
 TEST_F(SourceIdentity, OfPatchesItBeginsAtTheirStages) {
-    manifest_.shape.kind = Shape::Kind::patches;
+    manifest_.shape.kind = "patches";
     manifest_.passes.clear();
     write("own/control.tesc", "");
     write("own/evaluation.tese", "#include \"back.glsl\"\n");

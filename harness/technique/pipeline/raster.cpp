@@ -1,0 +1,36 @@
+#include "technique/pipeline/draw_pipeline.hpp"
+
+namespace reliefbench {
+
+namespace {
+
+std::string raster_preamble(const Manifest& /*manifest*/, const ParameterValues& /*parameters*/) {
+    return {};
+}
+
+std::string unsupported_raster(const gpu::Device& /*device*/, const DrawnView& /*drawn*/) {
+    return {};
+}
+
+DrawGeometry raster_geometry(const gpu::Device& /*device*/, const DrawnView& /*drawn*/) {
+    constexpr std::uint32_t corners = 4;
+    return {.vertices = corners, .vertices_per_call = corners};
+}
+
+void record_raster(const vk::raii::CommandBuffer& commands, const DrawGeometry& geometry) {
+    commands.draw(geometry.vertices, 1, 0, 0);
+}
+
+}  // namespace
+
+DrawPipeline raster_pipeline() {
+    return {.shape = "quad",
+            .features = {},
+            .preamble = raster_preamble,
+            .unsupported = unsupported_raster,
+            .geometry = raster_geometry,
+            .record = record_raster,
+            .range_tolerance = 1e-6};
+}
+
+}  // namespace reliefbench
