@@ -68,8 +68,9 @@ struct PageComparison {
 };
 
 /// All that the report's page knows: `{"tool_version", "figures", "runs": [{"name", "record", "summary", "cautions",
-/// "cells", "samples", "pictures"}, ...], "pictures": [...], "comparison"}`. `figures` is the list of store/figures.hpp
-/// with the tolerances of compare/deciding_figures.hpp, `record` run.json; the rest is as page_cells.hpp,
+/// "cells", "samples", "pictures"}, ...], "pictures": [...], "comparison"}`. `figures` is the list of
+/// store/figures.hpp, and what later versions declared in the runs, with the tolerances of
+/// compare/deciding_figures.hpp; `record` is run.json without its own list; the rest is as page_cells.hpp,
 /// page_samples.hpp, page_pictures.hpp and page_comparison.hpp say.
 Json page_data(const std::vector<PageRun>& runs, const Json& pictures, const std::optional<PageComparison>& comparison,
                std::string_view tool_version);
