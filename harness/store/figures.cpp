@@ -30,8 +30,9 @@ std::vector<FigureDeclaration> all_declarations() {
     return all;
 }
 
-/// A run that declares more is none.
-constexpr std::size_t max_figures = 10000;
+/// A run that declares more, or deeper ones, is none: every cell has room for each.
+constexpr std::size_t max_figures = 1000;
+constexpr std::size_t max_path_parts = 8;
 
 const std::vector<std::string> direction_names = {"lower", "higher", "neither"};
 
@@ -52,7 +53,8 @@ FigureDeclaration read_figure(const JsonView& view) {
     figure.stand_in = text("stand_in");
     const std::vector<std::string> parts = split(figure.path, '.');
     const std::vector<std::string>& others = keys_beside_figures();
-    if (parts.size() < 2 || std::find(others.begin(), others.end(), parts.front()) != others.end() ||
+    if (parts.size() < 2 || parts.size() > max_path_parts ||
+        std::find(others.begin(), others.end(), parts.front()) != others.end() ||
         std::any_of(parts.begin(), parts.end(), [](const std::string& part) { return part.empty(); }))
         view.at("path").fail_expected("a path such as error.uv_texels.p99");
     return figure;

@@ -234,12 +234,18 @@ TEST(FiguresOfARun, ThatCannotStandInACellAreRefused) {
     };
     const std::string place = fmt::format("run.json: $.figures[{}]", figures().size());
     EXPECT_THAT(message("path", 3), testing::StartsWith(place + ".path: expected a string"));
-    for (const char* path : {"", "off_chart", "error..mean", "axes.mean", "parameters.x", "error."})
+    for (const char* path :
+         {"", "off_chart", "error..mean", "axes.mean", "parameters.x", "error.", "a.b.c.d.e.f.g.h.i"})
         EXPECT_THAT(message("path", path), testing::StartsWith(place + ".path: expected a path")) << path;
     for (const char* path : {"error.missed.mean", "error.uv_texels", "time.draw"})
         EXPECT_THAT(message("path", path), testing::HasSubstr("cannot stand beside the others")) << path;
     EXPECT_THAT(message("better", "more"), testing::StartsWith(place + ".better: expected one of"));
     EXPECT_THAT(message("needs", "truth"), testing::StartsWith(place + ".needs: expected an array"));
+    const Json many = Json::array_t(1001, off_chart);
+    EXPECT_THAT(error_message([&] {
+                    figures_of_record({{"figures", many}}, "run.json");
+                }),
+                testing::HasSubstr("more figures than any version has"));
     EXPECT_THAT(error_message([] {
                     figures_of_record({{"figures", 3}}, "run.json");
                 }),
