@@ -57,7 +57,7 @@ gpu::GraphicsPipelineOptions pipeline_options(const gpu::Device& device, const T
 Draw::Draw(const gpu::Device& device, const Technique& technique, Kind kind, const DrawSetup& setup)
     : device_(&device),
       extent_(setup.extent),
-      way_(&pipeline_of(technique.manifest)),
+      draws_by_(&pipeline_of(technique.manifest)),
       geometry_(setup.geometry),
       depth_(device, setup.extent, depth_format, 1,
              vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eTransferSrc) {
@@ -114,7 +114,7 @@ void Draw::record(const vk::raii::CommandBuffer& commands) const {
         commands.draw(object_vertices, 1, 0, 0);
     }
     pipeline_.bind(commands);
-    way_->record(commands, geometry_);
+    draws_by_->record(commands, geometry_);
     commands.endRendering();
 }
 

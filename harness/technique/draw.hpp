@@ -52,7 +52,7 @@ public:
 private:
     const gpu::Device* device_;
     vk::Extent2D extent_;
-    const DrawPipeline* way_;
+    const DrawPipeline* draws_by_;
     DrawGeometry geometry_;
     std::vector<gpu::Texture> colours_;
     std::vector<vk::ClearColorValue> clears_;

@@ -16,7 +16,7 @@ class DrawPipelines : public DeviceTest {
 protected:
     /// Of a map of 100×60 texels, twice on a side of the patch.
     DrawGeometry geometry(const ParameterValues& parameters, const View& view) const {
-        return tessellation_pipeline().geometry(device(), {patches_, parameters, view, {100, 60}});
+        return pipeline_of(patches_).geometry(device(), {patches_, parameters, view, {100, 60}});
     }
     std::uint32_t per_call(std::uint32_t on_cpu, std::uint32_t all) const {
         return device().info().type == gpu::DeviceType::cpu ? on_cpu : all;
@@ -62,7 +62,7 @@ TEST_F(DrawPipelines, EveryShapeOfAManifestHasOne) {
 TEST_F(DrawPipelines, TheQuadIsAStripOfFourThatNothingIsCulledOf) {
     const Manifest manifest;
     const View view;
-    const DrawGeometry quad = raster_pipeline().geometry(device(), {manifest, {}, view, {8, 8}});
+    const DrawGeometry quad = pipeline_of(manifest).geometry(device(), {manifest, {}, view, {8, 8}});
     EXPECT_EQ(quad.vertices, 4U);
     EXPECT_EQ(quad.topology, vk::PrimitiveTopology::eTriangleStrip);
     EXPECT_EQ(quad.cull, vk::CullModeFlags(vk::CullModeFlagBits::eNone));
@@ -101,7 +101,7 @@ TEST_F(DrawPipelines, PatchesReachAsFarAsARepeatingReliefIsSeen) {
 TEST_F(DrawPipelines, SayWhatTheyCannotDraw) {
     View view = tiled_view();
     const auto reason = [&](std::int64_t patches) {
-        return tessellation_pipeline().unsupported(device(), {patches_, values(patches, false), view, {100, 60}});
+        return pipeline_of(patches_).unsupported(device(), {patches_, values(patches, false), view, {100, 60}});
     };
     if (device().info().max_tessellation_factor < 64) GTEST_SKIP() << "the device cannot tessellate";
     EXPECT_EQ(reason(0), "");

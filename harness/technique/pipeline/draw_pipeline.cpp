@@ -7,6 +7,12 @@
 
 namespace reliefbench {
 
+/// Each in a file of its own, which nobody needs but this list.
+/// The quad of the patch as a triangle strip, whose fragments search the relief.
+DrawPipeline raster_pipeline();
+/// Real geometry: a grid of patches through the technique's tessellation stages.
+DrawPipeline tessellation_pipeline();
+
 const std::vector<DrawPipeline>& draw_pipelines() {
     static const std::vector<DrawPipeline> pipelines{raster_pipeline(), tessellation_pipeline()};
     return pipelines;

@@ -54,11 +54,6 @@ struct DrawPipeline {
     double range_tolerance = 0;
 };
 
-/// The quad of the patch as a triangle strip, whose fragments search the relief.
-DrawPipeline raster_pipeline();
-/// Real geometry: a grid of patches through the technique's tessellation stages.
-DrawPipeline tessellation_pipeline();
-
 /// Every one there is; each shape_kinds() has one.
 const std::vector<DrawPipeline>& draw_pipelines();
 
