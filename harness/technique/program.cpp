@@ -155,6 +155,7 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
     const bool probed = variant == Variant::probed;
     std::string preamble = declare_contract(manifest) + (probed ? probed_definition : "");
     if (indexes_scene(device)) preamble += "#define RELIEFBENCH_INDEXED_SCENE 1\n";
+    // By the name that shared shaders of earlier revisions, with which ab compiles a baseline, know it.
     if (manifest.shadow_search == ShadowSearch::own) preamble += "#define RELIEFBENCH_OWN_MARCH 1\n";
     if (depth_write != DepthWrite::off) preamble += "#define RELIEFBENCH_WRITE_DEPTH 1\n";
     if (depth_write == DepthWrite::conservative) preamble += "#define RELIEFBENCH_CONSERVATIVE_DEPTH 1\n";

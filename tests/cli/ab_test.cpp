@@ -122,7 +122,7 @@ TEST_F(Ab, AnErrorThatGrewIsAWorseQuality) {
 
 TEST_F(Ab, ARefinementPutBackIsBetterThoughSomeNormalsAreFurtherOff) {
     for (const auto& [side, answer] :
-         {std::pair("base", "crossing.s_below"), std::pair("techniques", "refine_linearly(crossing).s")}) {
+         {std::pair("base", "crossing.s_below"), std::pair("techniques", "refine_linearly(ray, crossing).s")}) {
         write(std::string(side) + "/mine/trace.glsl", std::string(R"(#include "march.glsl"
 Trace trace(ReliefRay ray) {
     Crossing crossing = find_crossing(ray, layer_count(ray));

@@ -31,6 +31,6 @@ float end_of_ray(ReliefRay ray) { return ray.s_end; }
 // H in texture coordinates, along the axis of the texture along which a length covers more of them.
 float height_in_uv(ReliefRay ray) {
     mat2 rates = ray.height_scale * ray.uv_per_length;
-    vec2 most = abs(rates[0]) + abs(rates[1]);
-    return max(most.x, most.y);
+    vec2 along_axes = abs(rates[0]) + abs(rates[1]);
+    return max(along_axes.x, along_axes.y);
 }
