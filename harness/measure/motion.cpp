@@ -1,5 +1,6 @@
 #include "measure/motion.hpp"
 
+#include "core/attempt.hpp"
 #include "core/error.hpp"
 #include "metrics/flip.hpp"
 #include "metrics/motion_errors.hpp"
@@ -99,26 +100,23 @@ private:
     MotionErrors counts_;
 };
 
-/// The next frame of every cell; an Error is the cell's own. False when told to end.
+/// The next frame of every cell, which may fail. False when told to end.
 template <typename Step>
 bool step_all(std::vector<FollowedCell>& cells, const GoesOn& goes_on, const Step& step) {
     for (FollowedCell& cell : cells) {
         if (cell.failed()) continue;
         if (goes_on && !goes_on(cell.id())) return false;
-        try {
-            step(cell);
-        } catch (const Error& error) {
-            cell.fail_with(error.what());
-        }
+        const std::string failure = failure_of([&] { step(cell); });
+        if (!failure.empty()) cell.fail_with(failure);
     }
     return true;
 }
 
-bool follow_cells(SharedInputs& inputs, const ViewKey& view, const Configuration& configuration,
-                  std::span<const MotionSubject> subjects, const GoesOn& goes_on) {
+/// All cells that have not failed yet, through every frame. False when told to end.
+bool follow_frames(SharedInputs& inputs, const ViewKey& view, const Configuration& configuration,
+                   std::vector<FollowedCell>& cells, const GoesOn& goes_on) {
     const MotionSettings& settings = *configuration.motion;
     const auto camera_of = [&](int frame) { return camera_in_motion(view.view.camera, settings, frame); };
-    std::vector<FollowedCell> cells(subjects.begin(), subjects.end());
     if (!step_all(cells, goes_on, [&](FollowedCell& cell) { cell.start(inputs.device(), camera_of(0)); })) return false;
     std::optional<Truth> held;
     for (int frame = 1; frame < settings.frames; ++frame) {
@@ -138,8 +136,24 @@ bool follow_cells(SharedInputs& inputs, const ViewKey& view, const Configuration
         if (!step_all(cells, goes_on, [&](FollowedCell& cell) { cell.follow(pair, next); })) return false;
         held = std::move(second);
     }
+    return true;
+}
+
+/// A frame's truth that cannot be traced fails them all.
+bool follow_cells(SharedInputs& inputs, const ViewKey& view, const Configuration& configuration,
+                  std::span<const MotionSubject> subjects, const GoesOn& goes_on) {
+    std::vector<FollowedCell> cells(subjects.begin(), subjects.end());
+    bool is_done = true;
+    const std::string failure =
+        failure_of([&] { is_done = follow_frames(inputs, view, configuration, cells, goes_on); });
+    if (!is_done) return false;
     for (const FollowedCell& cell : cells) {
-        if (!cell.failed()) cell.finish();
+        if (cell.failed()) continue;
+        if (failure.empty()) {
+            cell.finish();
+        } else {
+            cell.fail_with(failure);
+        }
     }
     return true;
 }

@@ -11,8 +11,8 @@
 
 namespace reliefbench {
 
-/// One cell of the view: a renderer that has been prepared, and the result that gets the figures of motion. An Error
-/// makes the result failed, with the reason.
+/// One cell of the view: a renderer that has been prepared, and the result that gets the figures of motion, or which
+/// becomes failed, with the reason.
 struct MotionSubject {
     Renderer* renderer = nullptr;
     CellResult* result = nullptr;

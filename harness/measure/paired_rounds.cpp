@@ -1,5 +1,6 @@
 #include "measure/paired_rounds.hpp"
 
+#include "core/attempt.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "core/statistics.hpp"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <span>
 
 namespace reliefbench {
@@ -53,16 +55,10 @@ public:
     }
 
 private:
-    /// Whether it went without an Error.
-    template <typename Action>
-    bool attempt(std::size_t pair, Action&& action) {
-        std::string reason;
-        try {
-            action();
-            return true;
-        } catch (const Error& error) {
-            reason = error.what();
-        }
+    /// Whether it went without a failure.
+    bool attempt(std::size_t pair, const std::function<void()>& action) {
+        const std::string reason = failure_of(action);
+        if (reason.empty()) return true;
         callbacks_.on_failure(pair, reason);
         return false;
     }

@@ -1,10 +1,11 @@
 #include "measure/rounds.hpp"
 
-#include "core/error.hpp"
+#include "core/attempt.hpp"
 #include "core/random.hpp"
 
 #include <cassert>
 #include <deque>
+#include <functional>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -127,17 +128,11 @@ private:
         callbacks_.on_visit(visit);
     }
 
-    /// Runs `action` on one subject; its Error is the subject's failure. What callbacks throw is not.
-    template <typename Action>
-    bool attempt(std::size_t subject, Action&& action) {
+    /// Runs `action` on one subject, whose failure it may be. What callbacks throw is not.
+    bool attempt(std::size_t subject, const std::function<void()>& action) {
         if (callbacks_.on_turn) callbacks_.on_turn(subject);
-        std::string reason;
-        try {
-            action();
-            return true;
-        } catch (const Error& error) {
-            reason = error.what();
-        }
+        const std::string reason = failure_of(action);
+        if (reason.empty()) return true;
         states_[subject].failed = true;
         callbacks_.on_failure(subject, reason);
         return false;

@@ -1,5 +1,6 @@
 #include "measure/shared_inputs.hpp"
 
+#include "core/attempt.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "core/log.hpp"
@@ -29,16 +30,14 @@ bool is_too_large_to_inspect(const ViewKey& key, const InputSizes& sizes) {
     return true;
 }
 
-HeightMapRecord inspect(const ViewKey& key) {
-    HeightMapRecord record;
-    record.source = key.height_map;
-    record.format = key.height_format;
-    const InputSizes sizes = input_sizes(key.height_map);
-    if (is_too_large_to_inspect(key, sizes)) {
-        record.name = std::filesystem::path(key.height_map.name).filename().string();
-        record.size = sizes.height_map;
-        return record;
-    }
+/// Whether there was the memory for the work; a warning where not.
+bool loads_in_memory(const HeightMapSource& source, const std::function<void()>& load) {
+    if (fits_in_memory(load)) return true;
+    log_warning("height map '{}' could not be loaded: {}", source.name, memory_used_up);
+    return false;
+}
+
+void add_content(HeightMapRecord& record, const ViewKey& key) {
     const HeightMap map = load_height_map(key.height_map, key.height_format);
     const Albedo albedo = load_albedo(key.height_map, map);
     record.name = map.name;
@@ -47,6 +46,17 @@ HeightMapRecord inspect(const ViewKey& key) {
     record.albedo_hash = content_hash(std::as_bytes(std::span(albedo.texels.texels)));
     record.mapping = map.mapping;
     record.constant = map.constant;
+}
+
+HeightMapRecord inspect(const ViewKey& key) {
+    const InputSizes sizes = input_sizes(key.height_map);
+    HeightMapRecord record{.source = key.height_map, .format = key.height_format};
+    HeightMapRecord loaded = record;
+    const bool is_loaded =
+        !is_too_large_to_inspect(key, sizes) && loads_in_memory(key.height_map, [&] { add_content(loaded, key); });
+    if (is_loaded) return loaded;
+    record.name = std::filesystem::path(key.height_map.name).filename().string();
+    record.size = sizes.height_map;
     return record;
 }
 
@@ -85,9 +95,11 @@ void check_input_files(const std::vector<Cell>& cells) {
     for (const ViewKey* key : distinct_maps(cells)) {
         const HeightMapSource& source = key->height_map;
         if (is_too_large_to_inspect(*key, input_sizes(source))) continue;
-        HeightMap map;
-        if (!is_procedural(source.name)) map = load_height_map(source, key->height_format);
-        if (!source.albedo.empty()) load_albedo(source, map);
+        loads_in_memory(source, [&] {
+            HeightMap map;
+            if (!is_procedural(source.name)) map = load_height_map(source, key->height_format);
+            if (!source.albedo.empty()) load_albedo(source, map);
+        });
     }
 }
 

@@ -17,17 +17,17 @@ namespace reliefbench {
 struct HeightMapRecord {
     HeightMapSource source;
     HeightFormat format = HeightFormat::r16;
-    std::string name;
-    Resolution size;
-    std::string hash;
-    std::string albedo_hash;
-    std::string mapping;
+    std::string name = {};
+    Resolution size = {};
+    std::string hash = {};
+    std::string albedo_hash = {};
+    std::string mapping = {};
     bool constant = false;
 };
 
 /// Loads every height map and albedo of the cells once, so that a bad one is an Error before anything is written. One
-/// that the memory does not hold is a warning, and has no hashes: its cells are skipped. `on_map`, unless empty, is
-/// told each map before it is loaded.
+/// that the memory does not hold is a warning, and has no hashes: its cells are skipped, or fail. `on_map`, unless
+/// empty, is told each map before it is loaded.
 std::vector<HeightMapRecord> inspect_height_maps(const std::vector<Cell>& cells,
                                                  const std::function<void(const std::string& map)>& on_map = {});
 

@@ -1,5 +1,6 @@
 #include "measure/paired_rounds.hpp"
 
+#include "core/attempt.hpp"
 #include "core/error.hpp"
 #include "measure/draw_subject.hpp"
 
@@ -41,12 +42,14 @@ public:
         clock_.now_s += 1;
         log_.push_back(name_);
         if (fails_at_visit > 0 && ++visits_ == fails_at_visit) fail("lost");
+        if (exhausts_memory) throw std::bad_alloc();
         EXPECT_EQ(count, static_cast<int>(milliseconds_.size()));
         return {{draw_pass, milliseconds_}};
     }
 
     bool fails_to_warm_up = false;
     int fails_at_visit = 0;
+    bool exhausts_memory = false;
 
 private:
     std::string name_;
@@ -204,6 +207,14 @@ TEST_F(PairedRounds, ASideThatFailsDropsItsPairAndNoOther) {
     EXPECT_THAT(failures_[0], HasSubstr("lost"));
     EXPECT_THAT(failures_[2], HasSubstr("cold"));
     EXPECT_EQ(std::count(log_.begin(), log_.end(), "c"), 0);
+}
+
+TEST_F(PairedRounds, AnAllocationThatFailsDropsItsPairAndNoOther) {
+    add({1}, {1}).exhausts_memory = true;
+    add({1}, {1});
+    const auto log_ratios = sample_rounds(3);
+    EXPECT_EQ(failures_[0], memory_used_up);
+    EXPECT_EQ(log_ratios.at(1).size(), 3U);
 }
 
 TEST_F(PairedRounds, ADrawThatTheClockDoesNotSeeFailsItsPair) {

@@ -1,5 +1,6 @@
 #include "measure/rounds.hpp"
 
+#include "core/attempt.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "measure/clock.hpp"
@@ -44,6 +45,7 @@ public:
         if (++visits_ == failing_visit) {
             fail("{} broke", name_);
         }
+        if (exhausts_memory) throw std::bad_alloc();
         std::vector<double> samples;
         for (int sample = 0; sample < count; ++sample) {
             const double start_s = clock_->seconds();
@@ -55,6 +57,7 @@ public:
 
     bool fails_in_warm_up = false;
     int failing_visit = -1;
+    bool exhausts_memory = false;
 
 private:
     std::string name_;
@@ -200,6 +203,14 @@ TEST(Rounds, ASubjectThatFailsInWarmUpIsNeverVisited) {
     EXPECT_EQ(fixture.log, expected_log({{"b", "c"}, {"b", "c"}}, 9));
     EXPECT_THAT(fixture.failures, ElementsAre(std::pair<std::size_t, std::string>(0, "a does not start")));
     EXPECT_TRUE(samples[0].samples.empty());
+}
+
+TEST(Rounds, AnAllocationThatFailsIsTheSubjectsFailure) {
+    Fixture fixture;
+    fixture.b.exhausts_memory = true;
+    const std::vector<SampledSubject> samples = fixture.sample(*make_fixed_rule(2), 5);
+    EXPECT_THAT(fixture.failures, ElementsAre(std::pair<std::size_t, std::string>(1, memory_used_up)));
+    EXPECT_EQ(samples[2].samples.at("draw").size(), 2U) << "the others go on";
 }
 
 TEST(Rounds, AnErrorOfTheCallerEndsTheRun) {
