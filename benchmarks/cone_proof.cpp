@@ -2,7 +2,7 @@
 // tables of the techniques' READMEs. Usage: cone_proof [--rays] [FILE...]: height maps beside the procedural ones,
 // reduced to 128x128; --rays leaves the proof out.
 
-#include "verify/circumstance.hpp"
+#include "verify/drawing.hpp"
 #include "verify/promise_checks.hpp"
 
 #include "core/error.hpp"

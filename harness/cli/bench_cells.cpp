@@ -1,7 +1,7 @@
 #include "cli/bench_cells.hpp"
 
-#include "core/error.hpp"
-#include "measure/cell_preparation.hpp"
+#include "core/attempt.hpp"
+#include "measure/motion.hpp"
 #include "technique/map_cache.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace reliefbench {
 namespace {
 
 /// As many as make_blocks puts into a block.
-constexpr std::size_t most_ready = 64;
+constexpr std::size_t max_ready = 64;
 
 }  // namespace
 
@@ -24,11 +24,10 @@ BenchCells::Ready::Ready(std::size_t cell, Renderer made, const SamplingSettings
 
 BenchCells::BenchCells(const gpu::Device& device, const TechniqueLibrary& library, const Configuration& configuration,
                        const std::vector<Cell>& cells)
-    : device_(&device),
-      library_(&library),
-      configuration_(&configuration),
+    : configuration_(&configuration),
       cells_(&cells),
-      inputs_(device, configuration.lighting, configuration.truth, configuration.object) {}
+      inputs_(device, configuration.lighting, configuration.truth, configuration.object),
+      laboratory_(library, configuration, inputs_, {.cache = map_cache_folder()}) {}
 
 const CellResult& BenchCells::prepare(std::size_t index) {
     const auto known = results_.find(index);
@@ -41,26 +40,17 @@ const CellResult& BenchCells::prepare(std::size_t index) {
         return known->second;
     }
     make_room_for(index);
-    try {
-        std::optional<Renderer> renderer = known == results_.end() ? make_renderer(index) : open_again(index);
-        if (renderer) {
-            ready_.emplace_front(index, std::move(*renderer), configuration_->sampling);
-            ready_.front().draw.warm_up();
-        }
-    } catch (const Error& error) {
-        fail_cell(index, error.what());
-    }
+    make_ready(index);
     return results_.at(index);
 }
 
 std::optional<double> BenchCells::time_draw() {
     assert(!ready_.empty());
-    try {
-        return ready_.front().draw.visit(1).at(draw_pass).front();
-    } catch (const Error& error) {
-        fail_cell(ready_.front().index, error.what());
-        return std::nullopt;
-    }
+    double draw_ms = 0;
+    const std::string failure = failure_of([&] { draw_ms = ready_.front().draw.visit(1).at(draw_pass).front(); });
+    if (failure.empty()) return draw_ms;
+    fail_cell(ready_.front().index, failure);
+    return std::nullopt;
 }
 
 int BenchCells::repeats() const {
@@ -76,32 +66,34 @@ std::vector<const CellResult*> BenchCells::failed() const {
     return cells;
 }
 
-std::optional<Renderer> BenchCells::make_renderer(std::size_t index) {
+void BenchCells::make_ready(std::size_t index) {
     const Cell& cell = (*cells_)[index];
-    PreparedOrSkipped prepared =
-        cell.skip_reason.empty() ? prepare_cell(*device_, library_->get(cell.technique), cell, inputs_, *configuration_,
-                                                {.map_cache = map_cache_folder(), .failed = failed_preparations_})
-                                 : PreparedOrSkipped{std::nullopt, cell.skip_reason};
-    if (!prepared.cell) {
-        CellResult& result = results_[index] = blank_result(cell);
-        result.status = CellStatus::skipped;
-        result.reason = prepared.skip_reason;
-        return std::nullopt;
-    }
-    results_[index] = std::move(prepared.cell->result);
-    return std::move(prepared.cell->renderer);
+    const bool is_measured = results_.contains(index);
+    PreparedCell prepared = is_measured ? laboratory_.make_ready_again(cell) : laboratory_.make_ready(cell);
+    prepared.probe.reset();
+    if (!is_measured) follow_motion(cell, prepared);
+    const bool is_ready = prepared.result.status == CellStatus::ok;
+    if (!is_measured || !is_ready) results_[index] = std::move(prepared.result);
+    if (is_ready) warm_up(index, std::move(*prepared.renderer));
 }
 
-Renderer BenchCells::open_again(std::size_t index) {
-    const Cell& cell = (*cells_)[index];
-    Renderer renderer(*device_, library_->get(cell.technique), cell.parameters, inputs_.map(cell.view).scene,
-                      cell.view.view, configuration_->lighting, configuration_->object);
-    renderer.prepare({.cache = map_cache_folder()});
-    return renderer;
+void BenchCells::warm_up(std::size_t index, Renderer renderer) {
+    const std::string failure = failure_of([&] {
+        ready_.emplace_front(index, std::move(renderer), configuration_->sampling);
+        ready_.front().draw.warm_up();
+    });
+    if (!failure.empty()) fail_cell(index, failure);
+}
+
+/// Nothing of it is shown, but what fails in motion fails here as in a run.
+void BenchCells::follow_motion(const Cell& cell, PreparedCell& prepared) {
+    if (!configuration_->motion || prepared.result.status != CellStatus::ok) return;
+    const MotionSubject subject{&*prepared.renderer, &prepared.result};
+    measure_motion(inputs_, cell.view, *configuration_, {&subject, 1}, {});
 }
 
 void BenchCells::make_room_for(std::size_t index) {
-    if (ready_.size() < most_ready) return;
+    if (ready_.size() < max_ready) return;
     ready_.pop_back();
     std::vector<ViewKey> views{(*cells_)[index].view};
     for (const Ready& cell : ready_) {
@@ -111,9 +103,7 @@ void BenchCells::make_room_for(std::size_t index) {
 }
 
 void BenchCells::fail_cell(std::size_t index, const std::string& reason) {
-    CellResult& result = results_[index] = blank_result((*cells_)[index]);
-    result.status = CellStatus::failed;
-    result.reason = reason;
+    results_[index] = ended_result((*cells_)[index], CellStatus::failed, reason);
     ready_.remove_if([&](const Ready& cell) { return cell.index == index; });
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "measure/cell_preparation.hpp"
 #include "measure/draw_subject.hpp"
+#include "measure/laboratory.hpp"
 #include "measure/shared_inputs.hpp"
 #include "store/cell_result.hpp"
 #include "sweep/configuration.hpp"
@@ -49,19 +49,18 @@ private:
         DrawSubject draw;
     };
 
-    /// Empty when the cell was skipped or failed, which its result then tells.
-    std::optional<Renderer> make_renderer(std::size_t index);
-    Renderer open_again(std::size_t index);
+    /// Sets the cell's result where it has none yet, and where it ends.
+    void make_ready(std::size_t index);
+    void warm_up(std::size_t index, Renderer renderer);
+    void follow_motion(const Cell& cell, PreparedCell& prepared);
     /// Makes room for the cell, and frees the inputs that no other one needs.
     void make_room_for(std::size_t index);
     void fail_cell(std::size_t index, const std::string& reason);
 
-    const gpu::Device* device_;
-    const TechniqueLibrary* library_;
     const Configuration* configuration_;
     const std::vector<Cell>* cells_;
     SharedInputs inputs_;
-    FailedPreparations failed_preparations_;
+    Laboratory laboratory_;
     std::map<std::size_t, CellResult> results_;
     /// The one used last is the first.
     std::list<Ready> ready_;

@@ -128,9 +128,7 @@ enum class Iteration {
 void measure(benchmark::State& state, BenchCells& cells, std::size_t index, Iteration iteration) {
     const CellResult& cell = cells.prepare(index);
     if (cell.status != CellStatus::ok) {
-        const std::string message =
-            fmt::format("{}: {}", cell.status == CellStatus::skipped ? "skipped" : "failed", cell.reason);
-        state.SkipWithError(message.c_str());
+        state.SkipWithError(describe_ending(cell).c_str());
         return;
     }
     add_counters(state, cell);
@@ -138,7 +136,7 @@ void measure(benchmark::State& state, BenchCells& cells, std::size_t index, Iter
     while (state.KeepRunningBatch(batch)) {
         const std::optional<double> draw_ms = cells.time_draw();
         if (!draw_ms) {
-            state.SkipWithError(("failed: " + cell.reason).c_str());
+            state.SkipWithError(describe_ending(cell).c_str());
             return;
         }
         state.SetIterationTime(batch * *draw_ms / 1000);

@@ -1,23 +1,28 @@
 #include "cli/contact_sheet.hpp"
 
-#include "core/error.hpp"
+#include "core/attempt.hpp"
 #include "core/log.hpp"
 #include "manifest/parameter_json.hpp"
-#include "measure/cell_figures.hpp"
 #include "metrics/window.hpp"
 #include "picture/map_picture.hpp"
 #include "picture/sheet.hpp"
+#include "report/figure_lines.hpp"
+#include "store/chosen_figures.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
-#include <set>
+#include <iterator>
 #include <sstream>
 
 namespace reliefbench {
 
 namespace {
+
+std::vector<std::string> words_of(const std::string& text) {
+    std::istringstream stream(text);
+    return {std::istream_iterator<std::string>(stream), {}};
+}
 
 /// Parts of a cell's id: "pom max_steps=16 | heightmap=bricks view_angle=60".
 struct IdParts {
@@ -30,10 +35,7 @@ IdParts parts_of(const Cell& cell) {
     parts.technique = cell.technique;
     const std::size_t bar = cell.id.find(" | ");
     if (bar == std::string::npos) return parts;
-    std::istringstream words(cell.id.substr(bar + 3));
-    for (std::string word; words >> word;) {
-        parts.axes.push_back(word);
-    }
+    parts.axes = words_of(cell.id.substr(bar + 3));
     return parts;
 }
 
@@ -65,11 +67,14 @@ std::vector<std::string> parameter_words(const Manifest& manifest, const Paramet
     return list;
 }
 
+/// Characters of a label's line.
+constexpr std::size_t max_line = 38;
+
 /// Words filled into lines of a label's width.
-std::vector<std::string> in_lines(const std::vector<std::string>& list, std::size_t longest) {
+std::vector<std::string> in_lines(const std::vector<std::string>& list) {
     std::vector<std::string> lines;
     for (const std::string& word : list) {
-        if (lines.empty() || lines.back().size() + 1 + word.size() > longest) {
+        if (lines.empty() || lines.back().size() + 1 + word.size() > max_line) {
             lines.push_back(word);
         } else {
             lines.back() += " " + word;
@@ -78,34 +83,43 @@ std::vector<std::string> in_lines(const std::vector<std::string>& list, std::siz
     return lines;
 }
 
-std::vector<std::string> figures_of(const DrawnCell& drawn, const std::optional<ShadowErrors>& shadow) {
-    const HitErrors errors = hit_errors_of(drawn);
-    const ImageErrors image = image_errors_of(drawn).footprint;
-    const std::optional<WorkSummary> work = summarize_work(drawn.probe, shadow.has_value());
+void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {
+    lines.insert(lines.end(), more.begin(), more.end());
+}
+
+std::vector<std::string> captions_of(const CellResult& result) {
+    using namespace chosen_figures;
     std::vector<std::string> lines;
-    lines.push_back(errors.uv_texels ? fmt::format("UV error p99 {:.3g}, p50 {:.2g} texels", errors.uv_texels->p99,
-                                                   errors.uv_texels->p50)
-                                     : "UV error undefined");
-    lines.push_back(fmt::format("missed {:.3g} %, false hits {:.3g} %", 100 * errors.missed, 100 * errors.false_hits));
-    if (image.flip) lines.push_back(fmt::format("FLIP {:.3f}", *image.flip));
-    if (work) lines.push_back(fmt::format("taps {:.4g} (p95 {:.4g})", work->taps_mean(), work->taps_p95()));
-    if (work && shadow) {
-        lines.push_back(fmt::format("shadow error {:.3g}, taps {:.4g}", shadow->mean, work->shadow_taps->mean));
-    }
+    for (const std::string& caption :
+         figure_lines(result, {quality, median_uv, missed, false_hits, flip, taps, taps_p95, shadow, shadow_taps}))
+        append(lines, in_lines(words_of(caption)));
     return lines;
 }
 
 Sheet::Row row_of(const Cell& cell, const Manifest& manifest, const std::vector<std::string>& common) {
-    constexpr std::size_t longest_line = 38;
     Sheet::Row row;
     row.title = cell.technique;
     std::vector<std::string> own = parts_of(cell).axes;
     std::erase_if(
         own, [&](const std::string& axis) { return std::find(common.begin(), common.end(), axis) != common.end(); });
-    row.lines = in_lines(parameter_words(manifest, cell.parameters), longest_line);
-    const std::vector<std::string> axes = in_lines(own, longest_line);
-    row.lines.insert(row.lines.end(), axes.begin(), axes.end());
+    row.lines = in_lines(parameter_words(manifest, cell.parameters));
+    append(row.lines, in_lines(own));
     return row;
+}
+
+std::vector<Picture> cropped_pictures(const std::vector<Shown>& shown, const DrawnCell& drawn) {
+    const Rectangle relief = relief_rectangle(drawn.truth);
+    std::vector<Picture> pictures = pictures_of(shown, drawn);
+    for (Picture& picture : pictures)
+        picture = cropped(picture, relief);
+    return pictures;
+}
+
+/// How a cell ended, in a label: of a compiler's message the first line.
+std::vector<std::string> ending_lines(const CellResult& result) {
+    if (result.status == CellStatus::ok) return {};
+    const std::string ending = describe_ending(result);
+    return in_lines(words_of(ending.substr(0, ending.find('\n'))));
 }
 
 }  // namespace
@@ -158,41 +172,32 @@ Rectangle relief_rectangle(const Truth& truth) {
     return {window.left, window.top, window.size};
 }
 
-Sheet make_contact_sheet(const std::vector<Cell>& cells, const std::vector<Shown>& shown, CellDrawing& drawing,
-                         const Font& font, std::size_t& failures) {
-    Sheet sheet;
+ContactSheet make_contact_sheet(const std::vector<Cell>& cells, const std::vector<Shown>& shown, Laboratory& laboratory,
+                                const LaboratoryCallbacks& callbacks, const Font& font) {
+    ContactSheet made;
     const std::vector<std::string> common = common_axes(cells);
-    sheet.title = words(common);
-    sheet.columns = columns_of(shown, font);
+    made.sheet.title = words(common);
+    made.sheet.columns = columns_of(shown, font);
     for (const Cell& cell : cells) {
-        Sheet::Row row = row_of(cell, drawing.manifest_of(cell), common);
-        if (!cell.skip_reason.empty()) {
-            row.lines.push_back("skipped: " + cell.skip_reason);
-            sheet.rows.push_back(std::move(row));
-            continue;
-        }
-        try {
-            const Probe probe = drawing.probe(cell);
-            const DrawnCell drawn = drawing.beside_truth(cell, probe);
-            const Rectangle relief = relief_rectangle(drawn.truth);
-            for (const Picture& picture : pictures_of(shown, drawn)) {
-                row.pictures.push_back(cropped(picture, relief));
-            }
-            const std::vector<std::string> figures = figures_of(drawn, drawing.shadow_errors(cell, drawn));
-            row.lines.insert(row.lines.end(), figures.begin(), figures.end());
-            if (const std::string failure = failure_of(probe); !failure.empty()) {
-                log_error("{}: {}", cell.id, failure);
-                row.lines.push_back("failed: " + failure);
-                ++failures;
-            }
-        } catch (const Error& error) {
-            log_error("{}", error.what());
-            row.lines.push_back(error.what());
-            ++failures;
-        }
-        sheet.rows.push_back(std::move(row));
+        Sheet::Row row = row_of(cell, laboratory.manifest_of(cell), common);
+        laboratory.keep_only({cell.view});
+        PreparedCell prepared = laboratory.make_ready(cell, callbacks);
+        const std::string failure = failure_of([&] {
+            if (prepared.probe) row.pictures = cropped_pictures(shown, laboratory.beside_truth(cell, *prepared.probe));
+        });
+        if (!failure.empty()) prepared.result = ended_result(cell, CellStatus::failed, failure);
+        append(row.lines, captions_of(prepared.result));
+        append(row.lines, ending_lines(prepared.result));
+        tell_ending(prepared.result);
+        if (prepared.result.status == CellStatus::failed) ++made.failures;
+        made.sheet.rows.push_back(std::move(row));
     }
-    return sheet;
+    return made;
+}
+
+void tell_ending(const CellResult& result) {
+    if (result.status == CellStatus::failed) log_error("failed: {}: {}", result.cell, result.reason);
+    if (result.status == CellStatus::skipped) log_warning("skipped: {}: {}", result.cell, result.reason);
 }
 
 }  // namespace reliefbench

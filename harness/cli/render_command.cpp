@@ -1,21 +1,20 @@
-#include "cli/cell_drawing.hpp"
 #include "cli/command.hpp"
 #include "cli/contact_sheet.hpp"
 #include "cli/output_file.hpp"
 #include "cli/progress_printer.hpp"
 #include "cli/render_options.hpp"
 #include "cli/results.hpp"
+#include "core/attempt.hpp"
 #include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/log.hpp"
 #include "core/scratch_folder.hpp"
-#include "measure/cell_figures.hpp"
-#include "measure/cell_preparation.hpp"
 #include "measure/clock.hpp"
+#include "measure/laboratory.hpp"
 #include "measure/pictures.hpp"
 #include "measure/shared_inputs.hpp"
-#include "metrics/wrong_surface.hpp"
+#include "report/figure_lines.hpp"
 #include "scene/image_file.hpp"
 #include "technique/map_cache.hpp"
 
@@ -23,64 +22,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 namespace reliefbench {
 
 namespace {
 
-std::string format_summary(const std::string& quantity, const std::optional<Summary>& summary) {
-    if (!summary) return fmt::format("{}: undefined, no pixel has both hits\n", quantity);
-    return fmt::format("{}: median {:.3g}, p95 {:.3g}, p99 {:.3g}, max {:.3g}\n", quantity, summary->p50, summary->p95,
-                       summary->p99, summary->max);
-}
-
-void print_image_errors(const char* what, const ImageErrors& errors) {
-    const auto text = [](const std::optional<double>& value, const char* unit) {
-        return value ? fmt::format("{:.4g}{}", *value, unit) : "undefined";
-    };
-    fmt::print(stderr, "{}: RMSE {}, PSNR {}, SSIM {}, FLIP {}\n", what, text(errors.rmse, ""),
-               text(errors.psnr, " dB"), text(errors.ssim, ""), text(errors.flip, ""));
-}
-
-/// Of what only some scenes have.
-void print_scene_errors(const DrawnCell& drawn, const std::optional<ShadowErrors>& shadow) {
-    if (shadow) {
-        fmt::print(stderr,
-                   "shadows: visibility wrong by {:.4g} on average; {:.3f} % falsely dark, {:.3f} % falsely lit\n",
-                   shadow->mean, 100 * shadow->false_shadow, 100 * shadow->missed_shadow);
-    }
-    if (drawn.truth.front) {
-        fmt::print(stderr, "wrong surface in front: {:.3f} % of the footprint\n",
-                   100 * wrong_surface(*drawn.probe.front, *drawn.truth.front, drawn.truth.footprint));
-    }
-}
-
-void print_summary(const Cell& cell, const DrawnCell& drawn, const std::optional<ShadowErrors>& shadow) {
-    const HitErrors errors = hit_errors_of(drawn);
-    const ImageComparison image = image_errors_of(drawn);
-    fmt::print(stderr, "{}\n", cell.id);
-    if (const std::optional<WorkSummary> work = summarize_work(drawn.probe, shadow.has_value())) {
-        fmt::print(stderr, "{} covered; per pixel {:.2f} taps (p95 {:.0f}), {:.2f} steps; {:.3f} % unconverged\n",
-                   counted(work->covered_pixels, "pixel"), work->taps_mean(), work->taps_p95(), work->steps.mean,
-                   100 * work->unconverged);
-    } else {
-        fmt::print(stderr, "no pixel covered\n");
-    }
-    fmt::print(stderr, "{}", format_summary("UV error, texels", errors.uv_texels));
-    fmt::print(stderr, "{}", format_summary("depth error", errors.depth));
-    fmt::print(stderr, "{}", format_summary("normal error, degrees", errors.normal_deg));
-    fmt::print(stderr, "missed {:.3f} %, false hits {:.3f} %, ties {:.3f} % of {}; coverage IoU {:.5f}\n",
-               100 * errors.missed, 100 * errors.false_hits, 100 * errors.ties, counted(errors.footprint, "pixel"),
-               errors.coverage_iou);
-    if (errors.outside_quad_covered) {
-        fmt::print(stderr, "outside the quad: {} of relief, {:.1f} % of them drawn\n",
-                   counted(errors.outside_quad_pixels, "pixel"), 100 * *errors.outside_quad_covered);
-    }
-    print_image_errors("picture, over the footprint", image.footprint);
-    print_image_errors("picture, with what lies beyond the quad", image.whole);
-    print_scene_errors(drawn, shadow);
+void print_figures(const CellResult& result) {
+    fmt::print(stderr, "{}\n", result.cell);
+    for (const std::string& line : figure_lines(result))
+        fmt::print(stderr, "{}\n", line);
 }
 
 /// One cell's pictures from left to right; a single one without a legend comes as it is, pixel for pixel.
@@ -117,44 +71,84 @@ void warn_of_constant_maps(const std::vector<Cell>& cells) {
     }
 }
 
-ExitCode draw_contact_sheet(const RenderOptions& options, const std::vector<Cell>& cells, CellDrawing& drawing) {
+/// What cells are drawn with, each once, untimed.
+struct Drawing {
+    Laboratory& laboratory;
+    LaboratoryCallbacks callbacks;
+    std::vector<Shown> shown;
+    OutputKind kind = OutputKind::picture;
+};
+
+ExitCode draw_contact_sheet(const RenderOptions& options, const std::vector<Cell>& cells, const Drawing& drawing) {
     const Font font;
-    std::size_t failures = 0;
-    const Sheet sheet = make_contact_sheet(cells, shown_by(options), drawing, font, failures);
-    write_picture(options.output, to_raster(draw_sheet(sheet, font)));
+    const ContactSheet made = make_contact_sheet(cells, drawing.shown, drawing.laboratory, drawing.callbacks, font);
+    write_picture(options.output, to_raster(draw_sheet(made.sheet, font)));
     fmt::print(stderr, "{}: {}\n", options.output, counted(cells.size(), "row"));
-    return failures == 0 ? ExitCode::done : ExitCode::cells_failed;
+    return made.failures == 0 ? ExitCode::done : ExitCode::cells_failed;
 }
 
-/// A picture is made of a failed cell, too, to see where it fails.
-ExitCode report_failure(const Cell& cell, const Probe& probe) {
-    const std::string failure = failure_of(probe);
-    if (failure.empty()) return ExitCode::done;
-    log_error("failed: {}: {}", cell.id, failure);
-    return ExitCode::cells_failed;
+/// A cell that was to be drawn into a file of its own. One that is skipped leaves none, as does one that fails before
+/// it is drawn.
+struct DrawnToFile {
+    CellResult result;
+    bool is_written = false;
+    bool is_compared = false;
+};
+
+DrawnToFile draw_to_file(const std::filesystem::path& path, const Cell& cell, const Drawing& drawing) {
+    drawing.laboratory.keep_only({cell.view});
+    PreparedCell prepared = drawing.laboratory.make_ready(cell, drawing.callbacks);
+    DrawnToFile made{.result = std::move(prepared.result)};
+    if (!prepared.probe) return made;
+    made.is_written = fits_in_memory([&] {
+        const DrawnCell drawn = drawing.laboratory.beside_truth(cell, *prepared.probe);
+        write_cell(path, drawing.kind, drawing.shown, drawn);
+    });
+    made.is_compared = made.is_written && prepared.is_compared;
+    if (!made.is_written) made.result = ended_result(cell, CellStatus::failed, memory_used_up);
+    return made;
 }
 
-ExitCode draw_frames(const RenderOptions& options, OutputKind kind, const std::vector<Cell>& cells,
-                     CellDrawing& drawing) {
-    const std::vector<Shown> shown = shown_by(options);
+/// A skipped cell was asked for all the same, and there is no picture of it.
+ExitCode report_ending(const CellResult& result) {
+    tell_ending(result);
+    switch (result.status) {
+        case CellStatus::ok:
+            return ExitCode::done;
+        case CellStatus::skipped:
+            return ExitCode::bad_input;
+        case CellStatus::failed:
+            return ExitCode::cells_failed;
+    }
+    return ExitCode::internal_error;
+}
+
+ExitCode draw_frames(const RenderOptions& options, const std::vector<Cell>& cells, const Drawing& drawing) {
     ExitCode code = ExitCode::done;
     for (std::size_t frame = 0; frame < cells.size(); ++frame) {
         const std::filesystem::path path = frame_path(options.output, frame, cells.size());
-        const Probe probe = drawing.probe(cells[frame]);
-        write_cell(path, kind, shown, drawing.beside_truth(cells[frame], probe));
-        fmt::print(stderr, "[{}/{}] {}: {}\n", frame + 1, cells.size(), path.string(), cells[frame].id);
-        code = graver(code, report_failure(cells[frame], probe));
+        const DrawnToFile made = draw_to_file(path, cells[frame], drawing);
+        if (made.is_written)
+            fmt::print(stderr, "[{}/{}] {}: {}\n", frame + 1, cells.size(), path.string(), cells[frame].id);
+        code = graver(code, report_ending(made.result));
     }
     return code;
 }
 
-ExitCode draw_cell(const RenderOptions& options, OutputKind kind, const Cell& cell, CellDrawing& drawing) {
-    const Probe probe = drawing.probe(cell);
-    const DrawnCell drawn = drawing.beside_truth(cell, probe);
-    write_cell(options.output, kind, shown_by(options), drawn);
-    print_summary(cell, drawn, drawing.shadow_errors(cell, drawn));
-    if (!is_standard_output(options.output)) fmt::print(stderr, "wrote {}\n", options.output);
-    return report_failure(cell, probe);
+ExitCode draw_cell(const RenderOptions& options, const Cell& cell, const Drawing& drawing) {
+    const DrawnToFile made = draw_to_file(options.output, cell, drawing);
+    if (made.is_compared) print_figures(made.result);
+    if (made.is_written && !is_standard_output(options.output)) fmt::print(stderr, "wrote {}\n", options.output);
+    return report_ending(made.result);
+}
+
+/// As a configuration has it: each cell is drawn once, and each pass of its preparation is run once.
+Configuration configuration_of(const RenderOptions& options) {
+    Configuration configuration;
+    configuration.lighting = lighting_of(options);
+    configuration.object = object_of(options);
+    if (options.preparation.limit_s) configuration.preparation.limit_s = *options.preparation.limit_s;
+    return configuration;
 }
 
 /// Told on a line that the next message takes the place of.
@@ -175,26 +169,23 @@ ExitCode render(const RenderOptions& options) {
     }
     const TechniqueLibrary library = options.library.find();
     const std::vector<Cell> cells = cells_to_render(options, library);
-    const Lighting lighting = lighting_of(options);
-    const std::optional<SceneObject> object = object_of(options);
+    const Configuration configuration = configuration_of(options);
     warn_of_constant_maps(cells);
     const gpu::Device device(options.device.options);
     ProgressPrinter printer;
     const auto on_progress = [&printer, start_s = steady_clock().seconds()](const PreparationProgress& progress) {
         tell(progress, printer, start_s);
     };
-    CellDrawing drawing(device, library,
-                        {.limit_s = options.preparation.limit_s.value_or(PreparationLimit{}.limit_s),
-                         .cache = map_cache_folder(),
-                         .on_progress = on_progress},
-                        lighting, object);
+    SharedInputs inputs(device, configuration.lighting, configuration.truth, configuration.object);
+    Laboratory laboratory(library, configuration, inputs, {.cache = map_cache_folder(), .timed = false});
+    const Drawing drawing{laboratory, {.on_progress = on_progress}, shown_by(options), kind};
     ExitCode code = ExitCode::done;
     if (options.contact_sheet) {
         code = draw_contact_sheet(options, cells, drawing);
     } else if (!options.animation.empty()) {
-        code = draw_frames(options, kind, cells, drawing);
+        code = draw_frames(options, cells, drawing);
     } else {
-        code = draw_cell(options, kind, cells.front(), drawing);
+        code = draw_cell(options, cells.front(), drawing);
     }
     return graver(code, check_validation(device));
 }
@@ -251,7 +242,9 @@ void add_render_command(CLI::App& app, ChosenCommand& chosen) {
         "not a number where they are undefined, depth_error is positive where too deep, coverage is 0 neither, 1 "
         "both,\n"
         "2 missed, 3 false hit, 4 missed outside the quad.\n"
-        "Exit code 4 when a cell fails because its technique answered out of range; it is drawn all the same.\n"
+        "Exit code 4 when a cell fails, as it would in a run; where it could be drawn it is, to see where it fails. "
+        "2\n"
+        "when the cell is skipped, so that there is no picture; a contact sheet has a row without one.\n"
         "Example: reliefbench render --technique pom --set max_steps=64 -a view_angle=75 -o picture.png\n"
         "Example: reliefbench render --technique pom --show flip,ssim -a view_angle=75 -o maps.png\n"
         "Example: reliefbench render --contact-sheet --technique steep,pom,qdm -a view_angle=60 -o sheet.png\n"

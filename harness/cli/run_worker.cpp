@@ -164,9 +164,9 @@ RunOutcome measure(const RunJob& job, const gpu::Device& device, RunWriter& writ
                    WorkerStatus& status) {
     const Configuration& configuration = job.sources.configuration;
     if (configuration.images) write_legends(writer);
-    DeviceCells::Maps maps{.cache = map_cache_folder(),
-                           .on_maps = [&status](const std::string& key) { status.begin_maps(key); }};
-    maps.failed.add_crashed(earlier.crashed_preparations);
+    MapMaking maps{.cache = map_cache_folder(),
+                   .failed = crashed_preparations(earlier.crashed_preparations),
+                   .on_maps = [&status](const std::string& key) { status.begin_maps(key); }};
     DeviceCells source(device, job.sources.library, configuration, job.sources.cells, writer, std::move(maps));
     ProgressPrinter printer;
     return run_cells(source, configuration, job.sources.cells, writer,

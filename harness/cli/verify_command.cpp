@@ -3,6 +3,7 @@
 #include "cli/shared_options.hpp"
 #include "cli/shell_word.hpp"
 #include "core/counted.hpp"
+#include "sweep/configuration.hpp"
 #include "technique/map_cache.hpp"
 #include "verify/conformance.hpp"
 
@@ -22,6 +23,7 @@ struct VerifyOptions {
     std::vector<std::string> techniques;
     TechniqueOptions library;
     DeviceChoice device;
+    PreparationOptions preparation;
 };
 
 /// The command line that shows what a failed check drew.
@@ -80,8 +82,9 @@ ExitCode verify(const VerifyOptions& options) {
         }
     }
     for (const Technique& technique : selected) {
-        verify_technique(device, technique, [&](const Check& check) { count_check(check, &technique); },
-                         {.cache = map_cache_folder()});
+        verify_technique(
+            device, technique, [&](const Check& check) { count_check(check, &technique); },
+            {.limit_s = options.preparation.limit_s.value_or(PreparationLimit{}.limit_s), .cache = map_cache_folder()});
     }
     print_results(fmt::format("{} of {} passed on {}{}\n", passed, counted(passed + failed, "check"),
                               device.info().name, skipped > 0 ? fmt::format(", {} skipped", skipped) : ""));
@@ -97,8 +100,11 @@ void add_verify_command(CLI::App& app, ChosenCommand& chosen) {
         ->type_name("ID");
     options->library.add_to(*command);
     options->device.add_to(*command);
+    options->preparation.add_to(*command);
     command->footer(
-        "Exit code 0 when every check passes, 4 when one fails. A FAIL line names the worst pixel, (column, row) from\n"
+        "Exit code 0 when every check passes, 4 when one fails. What a run would skip or call failed is so here, with "
+        "the\n"
+        "same words. A FAIL line names the worst pixel, (column, row) from\n"
         "the top left from 0, and the command that draws it.\n"
         "Example: reliefbench verify --technique my_march --techniques my_techniques\n");
     command->callback([&chosen, options] { chosen = [options] { return verify(*options); }; });

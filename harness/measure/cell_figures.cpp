@@ -3,11 +3,36 @@
 #include "core/statistics.hpp"
 #include "measure/outliers.hpp"
 #include "measure/stopping_rule.hpp"
+#include "metrics/hit_errors.hpp"
+#include "metrics/image_errors.hpp"
+#include "metrics/shadow_errors.hpp"
+#include "metrics/wrong_surface.hpp"
+
+#include <iterator>
+#include <utility>
 
 namespace reliefbench {
 
 std::optional<WorkSummary> summarize_work(const Probe& probe, bool self_shadow) {
     return summarize_work(probe.covered, probe.work, probe.stages, self_shadow ? &probe.shadow_taps : nullptr);
+}
+
+FigureValueList errors_of(const DrawnCell& drawn, const Lighting& lighting, bool self_shadow) {
+    const auto& [probe, truth, map, relief] = drawn;
+    FigureValueList all = figures_of(compare_hits(probe.hits, truth.hits, truth.footprint, map, relief));
+    const auto add = [&all](FigureValueList family) {
+        std::move(family.begin(), family.end(), std::back_inserter(all));
+    };
+    if (truth.front) add(figures_of_wrong_surface(wrong_surface(*probe.front, *truth.front, truth.footprint)));
+    if (self_shadow) {
+        ShadowErrors shadow = compare_shadows(probe.light_visibility, probe.hits, truth.light_visibility.fractions,
+                                              truth.hits, truth.footprint, map, relief, lighting);
+        shadow.truth_standard_error = truth.light_visibility.standard_error;
+        add(figures_of(shadow));
+    }
+    add(figures_of(
+        compare_images(probe.colour, probe.hits, truth.colour, truth.hits, {truth.footprint, truth.background})));
+    return all;
 }
 
 PassTiming summarize_timing(const std::vector<std::vector<double>>& rounds, int repeats) {

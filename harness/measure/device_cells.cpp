@@ -1,13 +1,11 @@
 #include "measure/device_cells.hpp"
 
-#include "core/error.hpp"
+#include "core/attempt.hpp"
 #include "gpu/device.hpp"
 #include "measure/draw_subject.hpp"
 #include "measure/motion.hpp"
 #include "measure/run_pictures.hpp"
 
-#include <new>
-#include <optional>
 #include <utility>
 
 namespace reliefbench {
@@ -32,25 +30,17 @@ private:
     DrawSubject draw_;
 };
 
-ReadyCell ended(std::size_t index, const Cell& cell, CellStatus status, const std::string& reason) {
-    ReadyCell ready{.index = index, .result = blank_result(cell)};
-    ready.result.status = status;
-    ready.result.reason = reason;
-    return ready;
-}
-
 }  // namespace
 
 DeviceCells::DeviceCells(const gpu::Device& device, const TechniqueLibrary& library, const Configuration& configuration,
-                         const std::vector<Cell>& cells, RunWriter& writer, Maps maps)
+                         const std::vector<Cell>& cells, RunWriter& writer, MapMaking maps)
     : device_(device),
-      library_(library),
       configuration_(configuration),
       cells_(cells),
       writer_(writer),
-      maps_(std::move(maps)),
       device_state_(gpu::open_device_state(device)),
-      inputs_(device, configuration.lighting, configuration.truth, configuration.object) {}
+      inputs_(device, configuration.lighting, configuration.truth, configuration.object),
+      laboratory_(library, configuration, inputs_, std::move(maps)) {}
 
 void DeviceCells::begin_block(std::span<const std::size_t> cells) {
     std::vector<ViewKey> views;
@@ -61,36 +51,23 @@ void DeviceCells::begin_block(std::span<const std::size_t> cells) {
 
 ReadyCell DeviceCells::make_ready(std::size_t index, const std::function<void(const std::string&)>& on_progress) {
     const Cell& cell = cells_[index];
-    const LongPreparation long_preparation{
-        .map_cache = maps_.cache,
-        .on_progress = [&](const PreparationProgress& progress) { on_progress(describe(progress)); },
-        .failed = maps_.failed,
-        .on_maps = maps_.on_maps,
-        .on_stage = on_progress};
-    std::optional<PreparedOrSkipped> outcome;
-    try {
-        outcome.emplace(
-            prepare_cell(device_, library_.get(cell.technique), cell, inputs_, configuration_, long_preparation));
-    } catch (const Error& error) {
-        return ended(index, cell, CellStatus::failed, error.what());
-    } catch (const std::bad_alloc&) {
-        return ended(index, cell, CellStatus::failed,
-                     "the host's memory is used up; choose a smaller height map or resolution");
-    }
-    if (!outcome->cell) return ended(index, cell, CellStatus::skipped, outcome->skip_reason);
-    PreparedCell& prepared = *outcome->cell;
-    if (configuration_.images) {
-        const DrawnCell drawn{prepared.probe, inputs_.truth(cell.view), inputs_.map(cell.view).map,
-                              cell.view.view.relief};
-        write_cell_pictures(writer_, cell.id, drawn);
+    PreparedCell prepared = laboratory_.make_ready(
+        cell, {.on_stage = on_progress,
+               .on_progress = [&](const PreparationProgress& progress) { on_progress(describe(progress)); }});
+    if (configuration_.images && prepared.is_compared && !write_pictures(cell, *prepared.probe)) {
+        prepared.result = ended_result(cell, CellStatus::failed, memory_used_up);
     }
     ReadyCell ready{.index = index,
                     .result = std::move(prepared.result),
                     .preparation_ms = std::move(prepared.preparation.pass_ms),
                     .preparation_kept = prepared.preparation.kept};
     if (ready.result.status == CellStatus::ok)
-        ready.subject = std::make_unique<DeviceSubject>(std::move(prepared.renderer), configuration_.sampling);
+        ready.subject = std::make_unique<DeviceSubject>(std::move(*prepared.renderer), configuration_.sampling);
     return ready;
+}
+
+bool DeviceCells::write_pictures(const Cell& cell, const Probe& probe) {
+    return fits_in_memory([&] { write_cell_pictures(writer_, cell.id, laboratory_.beside_truth(cell, probe)); });
 }
 
 void DeviceCells::finish_view(std::span<ReadyCell> cells,

@@ -1,13 +1,12 @@
 #pragma once
 
-#include "measure/cell_preparation.hpp"
 #include "measure/cell_source.hpp"
+#include "measure/laboratory.hpp"
 #include "measure/shared_inputs.hpp"
 #include "store/run_folder.hpp"
 #include "sweep/configuration.hpp"
 #include "technique/technique.hpp"
 
-#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -17,18 +16,8 @@ namespace reliefbench {
 /// asks for them, go to the run's folder. All that it is given must outlive it.
 class DeviceCells : public CellSource {
 public:
-    /// What concerns making derived maps.
-    struct Maps {
-        /// Where those that take long are kept (technique/map_cache.hpp); empty: nowhere.
-        std::filesystem::path cache = {};
-        /// Of earlier executions.
-        FailedPreparations failed = {};
-        /// LongPreparation::on_maps.
-        std::function<void(const std::string& maps)> on_maps = {};
-    };
-
     DeviceCells(const gpu::Device& device, const TechniqueLibrary& library, const Configuration& configuration,
-                const std::vector<Cell>& cells, RunWriter& writer, Maps maps);
+                const std::vector<Cell>& cells, RunWriter& writer, MapMaking maps);
 
     void begin_block(std::span<const std::size_t> cells) override;
     ReadyCell make_ready(std::size_t cell, const std::function<void(const std::string&)>& on_progress) override;
@@ -39,14 +28,16 @@ public:
     double truth_seconds() const override { return inputs_.truth_seconds(); }
 
 private:
+    /// False where the memory is used up.
+    bool write_pictures(const Cell& cell, const Probe& probe);
+
     const gpu::Device& device_;
-    const TechniqueLibrary& library_;
     const Configuration& configuration_;
     const std::vector<Cell>& cells_;
     RunWriter& writer_;
-    Maps maps_;
     std::unique_ptr<gpu::DeviceStateSource> device_state_;
     SharedInputs inputs_;
+    Laboratory laboratory_;
 };
 
 }  // namespace reliefbench

@@ -2,8 +2,8 @@
 
 #include "core/random.hpp"
 #include "measure/cell_figures.hpp"
-#include "measure/cell_preparation.hpp"
 #include "measure/draw_subject.hpp"
+#include "measure/laboratory.hpp"
 #include "measure/recent_state.hpp"
 #include "measure/rounds.hpp"
 #include "measure/stopping_rule.hpp"
@@ -75,7 +75,7 @@ public:
     RunOutcome run() {
         for (const Cell& cell : cells_) {
             if (!cell.skip_reason.empty() && !is_finished(cell))
-                finish_without_timing(cell, CellStatus::skipped, cell.skip_reason);
+                record(ended_result(cell, CellStatus::skipped, cell.skip_reason));
         }
         const std::vector<Block> blocks = make_blocks(cells_);
         for (std::size_t block = 0; block < blocks.size() && !interrupted(); ++block) {
@@ -151,10 +151,8 @@ private:
         report(cell.id);
         if (const auto crashes = options_.earlier.crashes.find(cell.id);
             crashes != options_.earlier.crashes.end() && crashes->second.size() >= most_crashes) {
-            ReadyCell crashed{.index = index, .result = blank_result(cell)};
-            crashed.result.status = CellStatus::failed;
-            crashed.result.reason = crashed_cell_reason(crashes->second);
-            return crashed;
+            return {.index = index,
+                    .result = ended_result(cell, CellStatus::failed, crashed_cell_reason(crashes->second))};
         }
         tell_cell(cell.id);
         ReadyCell ready = source_.make_ready(index, [&](const std::string& detail) { report(cell.id, detail); });
@@ -308,13 +306,6 @@ private:
         const std::optional<double> pixels = value_of(chosen_figures::covered_pixels, cell.result);
         if (draw != cell.result.time.end() && pixels) cell.result.ns_per_pixel = draw->second.median_ms * 1e6 / *pixels;
         record(std::move(cell.result));
-    }
-
-    void finish_without_timing(const Cell& cell, CellStatus status, const std::string& reason) {
-        CellResult result = blank_result(cell);
-        result.status = status;
-        result.reason = reason;
-        record(std::move(result));
     }
 
     void record(CellResult result) {

@@ -1,13 +1,14 @@
 #include "measure/variants.hpp"
 
-#include "core/error.hpp"
 #include "core/random.hpp"
-#include "measure/cell_preparation.hpp"
 #include "measure/draw_subject.hpp"
+#include "measure/laboratory.hpp"
 #include "measure/motion.hpp"
 #include "measure/shared_inputs.hpp"
 #include "measure/time_estimate.hpp"
 #include "technique/renderer.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
@@ -17,6 +18,9 @@
 namespace reliefbench {
 
 namespace {
+
+constexpr const char* base_side = "baseline";
+constexpr const char* changed_side = "new side";
 
 std::string with_side(const std::string& side, const std::string& reason) {
     return side + ": " + reason;
@@ -56,15 +60,16 @@ public:
     VariantExecution(const gpu::Device& device, const Variants& variants, const Configuration& configuration,
                      const std::vector<Cell>& cells, const VariantSettings& settings, const VariantCallbacks& callbacks,
                      const Clock& clock)
-        : device_(device),
-          variants_(variants),
+        : variants_(variants),
           configuration_(configuration),
           cells_(cells),
           settings_(settings),
           callbacks_(callbacks),
           clock_(clock),
           start_s_(clock.seconds()),
-          inputs_(device, configuration.lighting, configuration.truth, configuration.object) {
+          inputs_(device, configuration.lighting, configuration.truth, configuration.object),
+          base_(variants.base, configuration_, inputs_, {.cache = settings.map_cache}),
+          changed_(variants.changed, configuration_, inputs_, {.cache = settings.map_cache}) {
         configuration_.sampling.minimum_pass_ms = settings.minimum_pass_ms;
         // Of preparation passes, whose times are not compared.
         configuration_.sampling.rounds = 1;
@@ -76,7 +81,7 @@ public:
         for (const Cell& cell : cells_) {
             const std::string reason = cell.skip_reason.empty()
                                            ? missing_in_baseline(cell, variants_.base, variants_.changed)
-                                           : cell.skip_reason;
+                                           : describe_ending(ended_result(cell, CellStatus::skipped, cell.skip_reason));
             if (reason.empty()) {
                 comparable.push_back(cell);
             } else {
@@ -131,8 +136,8 @@ private:
             const ViewKey& view = *pairs[begin].view;
             std::vector<MotionSubject> subjects;
             for (; begin < pairs.size() && *pairs[begin].view == view; ++begin) {
-                subjects.push_back({&pairs[begin].base.renderer, &pairs[begin].base.result});
-                subjects.push_back({&pairs[begin].changed.renderer, &pairs[begin].changed.result});
+                subjects.push_back({&*pairs[begin].base.renderer, &pairs[begin].base.result});
+                subjects.push_back({&*pairs[begin].changed.renderer, &pairs[begin].changed.result});
             }
             measure_motion(inputs_, view, configuration_, subjects, [this](const std::string& cell) {
                 report(cell + ", in motion");
@@ -142,16 +147,11 @@ private:
         std::vector<ReadyPair> kept;
         kept.reserve(pairs.size());
         for (ReadyPair& pair : pairs) {
-            const CellResult& changed = pair.changed.result;
-            if (pair.base.result.status == CellStatus::ok && changed.status == CellStatus::ok) {
+            if (is_measurable(pair.base, pair.changed)) {
                 kept.push_back(std::move(pair));
-                continue;
+            } else {
+                ++cells_done_;
             }
-            ++cells_done_;
-            const bool base_failed = pair.base.result.status != CellStatus::ok;
-            outcome_.unmeasured.push_back(
-                base_failed ? UnmeasuredPair{changed.cell, with_side("baseline", pair.base.result.reason)}
-                            : UnmeasuredPair{changed.cell, with_side("new side", changed.reason), true});
         }
         return kept;
     }
@@ -159,45 +159,36 @@ private:
     /// Empty when it cannot be measured, which is then recorded.
     std::optional<ReadyPair> make_ready(const Cell& cell) {
         const Technique& base = *find_technique(variants_.base, cell.technique);
-        std::string reason;
-        side_ = "baseline";
-        auto prepared_base = prepare(base, baseline_cell(cell, base.manifest), failed_in_baseline_, reason);
-        if (!prepared_base) {
-            outcome_.unmeasured.push_back({cell.id, with_side(side_, reason)});
-            return std::nullopt;
-        }
-        side_ = "new side";
-        auto prepared_changed = prepare(variants_.changed.get(cell.technique), cell, failed_in_changed_, reason);
-        if (!prepared_changed) {
-            outcome_.unmeasured.push_back({cell.id, with_side(side_, reason), true});
-            return std::nullopt;
-        }
-        return ReadyPair{&cell.view, std::move(*prepared_base), std::move(*prepared_changed)};
+        PreparedCell prepared_base = prepare(base_, baseline_cell(cell, base.manifest), base_side);
+        if (!is_measurable(prepared_base)) return std::nullopt;
+        PreparedCell prepared_changed = prepare(changed_, cell, changed_side);
+        if (!is_measurable(prepared_base, prepared_changed)) return std::nullopt;
+        return ReadyPair{&cell.view, std::move(prepared_base), std::move(prepared_changed)};
     }
 
-    /// `failed`: of this side; what one side's manifest makes fail the other's may have mended.
-    std::optional<PreparedCell> prepare(const Technique& technique, const Cell& cell, FailedPreparations& failed,
-                                        std::string& reason) {
-        try {
-            const auto tell = [&](const std::string& what) { report(cell.id, fmt::format("{} ({})", what, side_)); };
-            const LongPreparation long_preparation{
-                .map_cache = settings_.map_cache,
-                .on_progress = [&](const PreparationProgress& progress) { tell(describe(progress)); },
-                .failed = failed,
-                .on_stage = tell};
-            PreparedOrSkipped prepared =
-                prepare_cell(device_, technique, cell, inputs_, configuration_, long_preparation);
-            reason = prepared.skip_reason;
-            if (prepared.cell && prepared.cell->result.status == CellStatus::failed) {
-                reason = prepared.cell->result.reason;
-                return std::nullopt;
-            }
-            if (prepared.cell) prepared.cell->probe = Probe{};
-            return std::move(prepared.cell);
-        } catch (const Error& error) {
-            reason = error.what();
-            return std::nullopt;
-        }
+    PreparedCell prepare(Laboratory& laboratory, const Cell& cell, const char* side) {
+        const auto tell = [&](const std::string& what) { report(cell.id, fmt::format("{} ({})", what, side)); };
+        PreparedCell prepared = laboratory.make_ready(
+            cell,
+            {.on_stage = tell, .on_progress = [&](const PreparationProgress& progress) { tell(describe(progress)); }});
+        prepared.probe.reset();
+        return prepared;
+    }
+
+    /// What cannot be measured of the baseline is recorded.
+    bool is_measurable(const PreparedCell& base) {
+        if (base.result.status == CellStatus::ok) return true;
+        outcome_.unmeasured.push_back({base.result.cell, with_side(base_side, describe_ending(base.result))});
+        return false;
+    }
+
+    /// The same of both sides.
+    bool is_measurable(const PreparedCell& base, const PreparedCell& changed) {
+        if (!is_measurable(base)) return false;
+        if (changed.result.status == CellStatus::ok) return true;
+        outcome_.unmeasured.push_back({changed.result.cell, with_side(changed_side, describe_ending(changed.result)),
+                                       changed.result.status == CellStatus::failed});
+        return false;
     }
 
     void sample(std::vector<ReadyPair>& ready, double budget_s, std::uint64_t seed) {
@@ -207,7 +198,7 @@ private:
         for (std::size_t pair = 0; pair < ready.size(); ++pair) {
             const auto add = [&](PreparedCell& side) {
                 subjects.push_back(
-                    std::make_unique<VariantSubject>(side.renderer, configuration_.sampling, repeats[pair]));
+                    std::make_unique<VariantSubject>(*side.renderer, configuration_.sampling, repeats[pair]));
                 return subjects.back().get();
             };
             Subject* const base = add(ready[pair].base);
@@ -239,7 +230,7 @@ private:
                 outcome_.measured.push_back({std::move(ready[pair].base.result), std::move(ready[pair].changed.result),
                                              std::move(log_ratios[pair])});
             } else {
-                outcome_.unmeasured.push_back({ready[pair].changed.result.cell, failures[pair], true});
+                outcome_.unmeasured.push_back({ready[pair].changed.result.cell, "failed: " + failures[pair], true});
             }
         }
     }
@@ -258,7 +249,6 @@ private:
         callbacks_.on_progress(progress);
     }
 
-    const gpu::Device& device_;
     const Variants& variants_;
     Configuration configuration_;
     const std::vector<Cell>& cells_;
@@ -267,14 +257,14 @@ private:
     const Clock& clock_;
     double start_s_;
     SharedInputs inputs_;
-    FailedPreparations failed_in_baseline_;
-    FailedPreparations failed_in_changed_;
+    /// One for each side: what one side's manifest makes fail the other's may have mended.
+    Laboratory base_;
+    Laboratory changed_;
     VariantOutcome outcome_;
     std::size_t cells_done_ = 0;
     /// What progress tells.
     ShareDone share_done_;
     std::string stage_;
-    std::string side_;
 };
 
 }  // namespace

@@ -26,6 +26,7 @@ inline constexpr std::string_view covered_pixels = "work.covered_pixels";
 // Shown beside them.
 inline constexpr std::string_view ns_per_pixel = "time.ns_per_pixel";
 inline constexpr std::string_view taps = "work.taps_mean";
+inline constexpr std::string_view taps_p95 = "work.taps_p95";
 inline constexpr std::string_view preparation = "prepare.ms";
 inline constexpr std::string_view preparation_bytes = "prepare.bytes";
 inline constexpr std::string_view median_uv = "error.uv_texels.p50";

@@ -42,7 +42,7 @@ std::string reason_to_give_up(const PassDeclaration& pass, const SlicePlan& plan
     if (plan.is_done() || !(pass.sliced->ends_early ? over : over || will_be)) return {};
     return fmt::format(
         "preparing its maps would take {} {} s (the pass '{}' had done {:.3g} % after {} s), more than the limit of "
-        "{:g} s; raise preparation.limit_s to have it done",
+        "{:g} s; raise preparation.limit_s (--preparation-limit) to have it done",
         pass.sliced->ends_early ? "up to" : "about", figure_above((earlier_ms + plan.estimated_ms()) / ms_per_s),
         pass.name, 100 * plan.fraction(), figure_above((earlier_ms + plan.elapsed_ms()) / ms_per_s), limit_s);
 }

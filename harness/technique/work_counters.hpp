@@ -10,8 +10,8 @@
 
 namespace reliefbench {
 
-/// What probed compilations count in: the mirror of harness/shaders/contract/work_counters.glsl. Eight numbers of vertex and
-/// tessellation stages, or of a preparation pass, then four for each pixel.
+/// What probed compilations count in: the mirror of harness/shaders/contract/work_counters.glsl. Eight numbers of
+/// vertex and tessellation stages, or of a preparation pass, then four for each pixel.
 class WorkCounters {
 public:
     struct Stages {

@@ -1,16 +1,26 @@
 #include "verify/check_list.hpp"
 
-#include "core/error.hpp"
+#include "core/attempt.hpp"
 
 namespace reliefbench {
 
 CheckList::CheckList(const gpu::Device& device, const Technique& technique,
                      const std::function<void(const Check&)>& on_check, const PreparationSettings& preparation)
-    : device_(&device), technique_(&technique), on_check_(on_check), preparation_(preparation), scenes_(device) {}
+    : device_(&device), technique_(&technique), on_check_(on_check), maps_{.settings = preparation}, scenes_(device) {}
 
 double CheckList::filter_deviation() {
     if (filter_deviation_ < 0) filter_deviation_ = measure_filter_deviation(*device_, HeightFormat::r16);
     return filter_deviation_;
+}
+
+Renderer CheckList::make_renderer(const ParameterValues& parameters, const CoordinateScene& scene, const View& view) {
+    return reliefbench::make_renderer(*device_, *technique_, parameters, scene, view, maps_);
+}
+
+TruthComparison CheckList::compare(const ParameterValues& parameters, const CoordinateScene& scene, const View& view) {
+    Probe probe = make_renderer(parameters, scene, view).probe();
+    require_picture(*device_, *technique_, parameters, probe);
+    return beside_truth(std::move(probe), scene, view);
 }
 
 const TruthComparison& CheckList::comparison(const ParameterValues& parameters, const Circumstance& circumstance) {
@@ -18,9 +28,7 @@ const TruthComparison& CheckList::comparison(const ParameterValues& parameters, 
     const auto known = comparisons_.find(key);
     if (known != comparisons_.end()) return known->second;
     const CoordinateScene& scene = scenes_.get(circumstance.map, circumstance.map_size);
-    TruthComparison found =
-        compare_with_truth(*device_, *technique_, parameters, scene, circumstance.view, preparation_);
-    return comparisons_.emplace(key, std::move(found)).first->second;
+    return comparisons_.emplace(key, compare(parameters, scene, circumstance.view)).first->second;
 }
 
 bool CheckList::check(const std::string& name, const ParameterValues& parameters, const Circumstance& where,
@@ -45,18 +53,20 @@ void CheckList::skip(const std::string& name, const std::string& circumstances, 
 
 bool CheckList::record(Check check, const std::function<Finding()>& body) {
     std::optional<PixelPlace> worst;
-    try {
-        const Finding finding = body();
-        check.passed = finding.passed;
-        check.detail = finding.detail;
-        worst = finding.worst;
-        if (check.drawn && finding.parameters) check.drawn->parameters = *finding.parameters;
-    } catch (const OutOfRange& error) {
-        check.detail = error.what();
-        worst = error.worst;
-    } catch (const Error& error) {
-        check.detail = error.what();
-    }
+    const std::string failure = failure_of([&] {
+        try {
+            const Finding finding = body();
+            check.passed = finding.passed;
+            check.detail = finding.detail;
+            worst = finding.worst;
+            if (check.drawn && finding.parameters) check.drawn->parameters = *finding.parameters;
+        } catch (const NoPicture& none) {
+            check.skipped = none.skipped;
+            check.detail = none.what();
+            worst = none.worst;
+        }
+    });
+    if (!failure.empty()) check.detail = failure;
     if (check.drawn) check.drawn->worst = worst;
     checks_.push_back(check);
     if (on_check_) on_check_(check);

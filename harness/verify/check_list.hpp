@@ -2,6 +2,7 @@
 
 #include "verify/circumstance.hpp"
 #include "verify/conformance.hpp"
+#include "verify/drawing.hpp"
 
 #include <functional>
 #include <map>
@@ -31,14 +32,17 @@ public:
     const Technique& technique() const { return *technique_; }
     const Manifest& manifest() const { return technique_->manifest; }
     SceneCollection& scenes() { return scenes_; }
-    const PreparationSettings& preparation() const { return preparation_; }
     /// δ of r16, measured when first asked for.
     double filter_deviation();
-    /// compare_with_truth, drawn and traced when first asked for: promises look at the same pictures.
+    /// make_renderer, with what is known of maps that cannot be made.
+    Renderer make_renderer(const ParameterValues& parameters, const CoordinateScene& scene, const View& view);
+    /// The picture beside its truth; NoPicture where it is not the technique's.
+    TruthComparison compare(const ParameterValues& parameters, const CoordinateScene& scene, const View& view);
+    /// The same, drawn and traced when first asked for: promises look at the same pictures.
     const TruthComparison& comparison(const ParameterValues& parameters, const Circumstance& circumstance);
 
-    /// Runs `body` and records what it found; an Error (a shader that does not compile, a lost device) is a failure
-    /// with its message. Returns whether it passed.
+    /// Runs `body` and records what it found; an Error (a shader that does not compile, a lost device, memory used up)
+    /// is a failure with its message, and NoPicture what it says. Returns whether it passed.
     bool check(const std::string& name, const ParameterValues& parameters, const Circumstance& where,
                const std::function<Finding()>& body);
     /// The same of what draws nothing.
@@ -54,7 +58,7 @@ private:
     const gpu::Device* device_;
     const Technique* technique_;
     std::function<void(const Check&)> on_check_;
-    PreparationSettings preparation_;
+    MapPreparation maps_;
     SceneCollection scenes_;
     double filter_deviation_ = -1;
     std::map<std::string, TruthComparison> comparisons_;

@@ -1,7 +1,5 @@
 #include "verify/circumstance.hpp"
 
-#include "core/error.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,6 +20,14 @@ Albedo coordinates_as_albedo(Resolution size) {
         }
     }
     return albedo;
+}
+
+HeightMap make_map(const std::string& name, Resolution size) {
+    if (name == map_of_ones) return make_height_map(Image<float>(size, 1.0F), HeightFormat::r16, name);
+    HeightMapSource source;
+    source.name = name;
+    source.size = size;
+    return load_height_map(source, HeightFormat::r16);
 }
 
 }  // namespace
@@ -58,34 +64,8 @@ Lighting coordinate_lighting() {
 
 const CoordinateScene& SceneCollection::get(const std::string& map, Resolution size) {
     auto& scene = scenes_[{map, size.width, size.height}];
-    if (!scene) {
-        HeightMapSource source;
-        source.name = map;
-        source.size = size;
-        scene = std::make_unique<CoordinateScene>(*device_, load_height_map(source, HeightFormat::r16));
-    }
+    if (!scene) scene = std::make_unique<CoordinateScene>(*device_, make_map(map, size));
     return *scene;
-}
-
-void require_answers_in_range(const Probe& probe) {
-    if (probe.faults.empty()) return;
-    throw OutOfRange(reason_of_faults(probe.faults, probe.hits.texels.size()), worst_fault(probe.faults).pixel);
-}
-
-TruthComparison compare_with_truth(const gpu::Device& device, const Technique& technique,
-                                   const ParameterValues& parameters, const CoordinateScene& scene, const View& view,
-                                   const PreparationSettings& preparation) {
-    const Lighting lighting = coordinate_lighting();
-    Renderer renderer(device, technique, parameters, scene.on_device, view, lighting);
-    const std::string given_up = renderer.prepare(preparation).given_up;
-    if (!given_up.empty()) fail("{}", given_up);
-    TruthComparison comparison;
-    comparison.probe = renderer.probe();
-    require_answers_in_range(comparison.probe);
-    comparison.truth = trace_exact_truth(scene.map, scene.albedo, view, lighting);
-    comparison.errors =
-        compare_hits(comparison.probe.hits, comparison.truth.hits, comparison.truth.footprint, scene.map, view.relief);
-    return comparison;
 }
 
 glm::dvec3 tangent_direction(const View& view, int i, int j) {

@@ -1,15 +1,11 @@
 #pragma once
 
-#include "core/error.hpp"
 #include "manifest/manifest.hpp"
-#include "metrics/hit_errors.hpp"
 #include "reference/truth.hpp"
-#include "scene/pixel_place.hpp"
 #include "technique/renderer.hpp"
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -53,28 +49,6 @@ private:
     const gpu::Device* device_;
     std::map<std::tuple<std::string, int, int>, std::unique_ptr<CoordinateScene>> scenes_;
 };
-
-/// What a technique found and what it should have.
-struct TruthComparison {
-    Probe probe;
-    Truth truth;
-    HitErrors errors;
-};
-
-/// A technique answered out of range: nothing else can be said of what it drew.
-struct OutOfRange : Error {
-    OutOfRange(const std::string& message, std::optional<PixelPlace> place) : Error(message), worst(place) {}
-
-    std::optional<PixelPlace> worst;
-};
-
-/// Throws OutOfRange where the draw has a fault.
-void require_answers_in_range(const Probe& probe);
-
-/// Draws the probed compilation and traces the exact truth beside it. Answers out of range are OutOfRange.
-TruthComparison compare_with_truth(const gpu::Device& device, const Technique& technique,
-                                   const ParameterValues& parameters, const CoordinateScene& scene, const View& view,
-                                   const PreparationSettings& preparation = {});
 
 /// The direction of a pixel's ray in the tangent space of the base where it enters: what it travels in u, in v and
 /// upwards over its length. The pixel must lie in F.

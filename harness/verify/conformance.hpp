@@ -24,7 +24,7 @@ struct Check {
     /// Under which parameters, map and angle.
     std::string circumstances;
     bool passed = false;
-    /// Neither passed nor failed: the device cannot run it.
+    /// Neither passed nor failed: a run would skip such a cell.
     bool skipped = false;
     /// Figures: what was measured and what the bound was. For a failure also what to look at.
     std::string detail;
@@ -47,7 +47,8 @@ std::vector<std::string> render_words(const Manifest& manifest, const Check::Dra
 std::string map_making_command(const Check::Drawn& drawn);
 
 /// Runs the general checks (compiles, timed and probed agree, finite, closed forms on constant maps) and those of the
-/// promises in the manifest. A shader that does not compile is a failed check, not an Error.
+/// promises in the manifest. A shader that does not compile is a failed check, not an Error. What a run would call
+/// skipped or failed is so here, with the same words: nothing is judged by a picture that is not the technique's.
 std::vector<Check> verify_technique(const gpu::Device& device, const Technique& technique,
                                     const std::function<void(const Check&)>& on_check = {},
                                     const PreparationSettings& preparation = {});

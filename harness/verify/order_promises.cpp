@@ -62,8 +62,8 @@ ParameterValues sampled_parameters(const Manifest& manifest, const PromiseDeclar
 SampledError measure_error(CheckList& list, const PromiseDeclaration& declaration, const Circumstance& where,
                            const Sampling& sampling) {
     const CoordinateScene& scene = list.scenes().get(where.map, where.map_size);
-    const TruthComparison found = compare_with_truth(
-        list.device(), list.technique(), sampled_parameters(list.manifest(), declaration, sampling), scene, where.view);
+    const TruthComparison found =
+        list.compare(sampled_parameters(list.manifest(), declaration, sampling), scene, where.view);
     SampledError error;
     error.sampling = sampling;
     // The ray meets the surface at an angle, which turns an error of height into up to twice the error of place.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "scene/pixel_place.hpp"
-#include "verify/circumstance.hpp"
+#include "verify/drawing.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -155,7 +155,7 @@ TEST_F(Ab, EachSideIsCompiledWithItsOwnSharedShaders) {
     write(shared, read_file(path(shared)) + "\nthis is no GLSL;\n");
     const Outcome outcome = ab({"--baseline", path("old"), "--budget", "1s"});
     EXPECT_THAT(outcome.out, AllOf(HasSubstr("shared shaders (harness/shaders) differ"), HasSubstr("march.glsl"),
-                                   HasSubstr("baseline: technique 'mine'")));
+                                   HasSubstr("baseline: failed: technique 'mine'")));
     EXPECT_EQ(outcome.code, 3) << "a baseline that does not compile is no failure of the new side";
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <sstream>
 
 namespace reliefbench {
@@ -142,6 +143,29 @@ TEST_F(Bench, CellsThatAreFilteredOutAreNotPrepared) {
         json["techniques"] = {"mine", "flat"};
     });
     EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+TEST_F(Bench, CellsThatWereFreedMeanwhileAreMadeReadyAgain) {
+    // More than stay prepared, each visited twice in random order.
+    const Outcome outcome =
+        bench({"--benchmark_repetitions=2", "--benchmark_enable_random_interleaving", "--benchmark_format=json"},
+              [](Json& json) {
+                  Json caps = Json::array();
+                  for (int cap = 64; cap < 64 + 70; ++cap)
+                      caps.push_back(cap);
+                  json["techniques"] = {{{"technique", "qdm"}, {"parameters", {{"max_steps", caps}}}}};
+                  json["axes"] = {{"heightmap", "bricks"}, {"heightmap_size", 16}, {"resolution", 8}};
+              });
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    std::map<std::string, std::vector<double>> taps;
+    const Json runs = Json::parse(outcome.out).at("benchmarks");
+    for (const Json& run : runs) {
+        if (run.at("run_type") == "iteration")
+            taps[run.at("name").get<std::string>()].push_back(run.at("taps").get<double>());
+    }
+    EXPECT_EQ(taps.size(), 70U);
+    for (const auto& [cell, counted] : taps)
+        EXPECT_THAT(counted, ElementsAre(counted.front(), counted.front())) << cell;
 }
 
 TEST_F(Bench, ASkippedCellTellsItsReasonAndIsNoFailure) {

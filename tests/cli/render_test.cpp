@@ -62,7 +62,7 @@ TEST_F(Render, OneCellComesWithItsTruthAndALegendOfItsErrors) {
     EXPECT_TRUE(contains(all, truth));
     EXPECT_GT(all.size.height, 2 * 32) << "there is a legend";
     EXPECT_THAT(render("again.png", {"--technique", "steep"}).err,
-                AllOf(HasSubstr("UV error"), HasSubstr("taps"), HasSubstr("missed"), HasSubstr("FLIP")));
+                AllOf(HasSubstr("UV error"), HasSubstr("Taps per pixel"), HasSubstr("Missed hits"), HasSubstr("FLIP")));
 }
 
 TEST_F(Render, EveryMapCanBeShown) {
@@ -147,12 +147,26 @@ TEST_F(Render, AnAnimationIsAFramePerValue) {
     EXPECT_FALSE(std::filesystem::exists(path("turn.png")));
 }
 
-TEST_F(Render, ABrokenShaderIsRefused) {
+TEST_F(Render, ABrokenShaderFailsItsCell) {
     std::ofstream(copy_technique("steep", "mine") / "trace.glsl", std::ios::app) << "\nthis is no GLSL;\n";
     const Outcome outcome = render("picture.png", {"--technique", "mine", "--techniques", path("techniques")});
-    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_EQ(outcome.code, 4) << outcome.err;
     EXPECT_THAT(outcome.err, AllOf(HasSubstr("mine"), HasSubstr("trace.glsl")));
     EXPECT_FALSE(std::filesystem::exists(path("picture.png")));
+}
+
+TEST_F(Render, AFrameThatCannotBeDrawnIsLeftOutAndTheOthersAreDrawn) {
+    // Tiled, which the technique does not do, in the first frame.
+    const std::filesystem::path manifest = copy_technique("steep", "mine") / "technique.json";
+    Json json = Json::parse(read_file(manifest));
+    json["needs"] = {{"map", {"untiled"}}};
+    std::ofstream(manifest) << json.dump();
+    const Outcome outcome = render("tiled.png", {"--technique", "mine", "--techniques", path("techniques"), "--show",
+                                                 "picture", "--animate", "tiling=2,1"});
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("skipped: mine"));
+    EXPECT_FALSE(std::filesystem::exists(path("tiled_000.png")));
+    EXPECT_TRUE(std::filesystem::exists(path("tiled_001.png")));
 }
 
 struct BadRender {

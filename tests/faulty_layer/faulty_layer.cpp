@@ -121,6 +121,12 @@ constexpr std::array device_functions{
 PFN_vkGetInstanceProcAddr next_instance_function = nullptr;
 PFN_vkGetDeviceProcAddr next_device_function = nullptr;
 PFN_vkCreateGraphicsPipelines next_create_graphics_pipelines = nullptr;
+PFN_vkGetPhysicalDeviceFeatures next_get_features = nullptr;
+
+VKAPI_ATTR void VKAPI_CALL get_features(VkPhysicalDevice device, VkPhysicalDeviceFeatures* features) {
+    next_get_features(device, features);
+    if (std::getenv("RELIEFBENCH_WITHOUT_TESSELLATION") != nullptr) features->tessellationShader = VK_FALSE;
+}
 
 /// Whether the variable of the environment names a value of one of the pipeline's specialization constants.
 bool has_constant(const VkGraphicsPipelineCreateInfo& pipeline, const char* variable) {
@@ -149,6 +155,7 @@ VKAPI_ATTR VkResult VKAPI_CALL create_graphics_pipelines(VkDevice device, VkPipe
             std::raise(SIGSEGV);
         }
         if (has_constant(infos[i], "RELIEFBENCH_LOSE_DEVICE_AT")) faults().device_is_lost = true;
+        if (has_constant(infos[i], "RELIEFBENCH_REFUSE_MEMORY_AT")) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
     }
     const VkResult result = begin_call("vkCreateGraphicsPipelines");
     return result == VK_SUCCESS ? next_create_graphics_pipelines(device, cache, count, infos, allocator, pipelines)
@@ -215,7 +222,12 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL get_instance_function(VkInstance instan
     if (wanted == "vkCreateDevice") return reinterpret_cast<PFN_vkVoidFunction>(&create_device);
     if (wanted == "vkGetInstanceProcAddr") return reinterpret_cast<PFN_vkVoidFunction>(&get_instance_function);
     if (wanted == "vkGetDeviceProcAddr") return reinterpret_cast<PFN_vkVoidFunction>(&get_device_function);
-    return intercept(instance_functions, name, next_instance_function(instance, name));
+    const PFN_vkVoidFunction next = next_instance_function(instance, name);
+    if (wanted == "vkGetPhysicalDeviceFeatures") {
+        next_get_features = reinterpret_cast<PFN_vkGetPhysicalDeviceFeatures>(next);
+        return reinterpret_cast<PFN_vkVoidFunction>(&get_features);
+    }
+    return intercept(instance_functions, name, next);
 }
 
 }  // namespace

@@ -2,7 +2,8 @@
 
 // What tests ask of the Vulkan layer VK_LAYER_RELIEFBENCH_faulty in their own process, by the names of its C functions.
 // A process that only its environment reaches asks by variables, each the value of an integer specialization constant:
-// RELIEFBENCH_CRASH_AT and RELIEFBENCH_LOSE_DEVICE_AT, when a graphics pipeline has it.
+// RELIEFBENCH_CRASH_AT, RELIEFBENCH_LOSE_DEVICE_AT and RELIEFBENCH_REFUSE_MEMORY_AT, when a graphics pipeline has it.
+// With RELIEFBENCH_WITHOUT_TESSELLATION the device lacks that feature.
 
 extern "C" {
 

@@ -1,9 +1,12 @@
-#include "measure/cell_preparation.hpp"
+#include "measure/laboratory.hpp"
 
-#include "support/error_message.hpp"
+#include "store/crashes.hpp"
 #include "technique/test_scene.hpp"
 
 #include <gmock/gmock.h>
+
+#include <optional>
+#include <utility>
 
 namespace reliefbench {
 namespace {
@@ -24,39 +27,40 @@ protected:
         : folder_({{"technique.json", sliced_manifest},
                    {"search.glsl", "void prepare(ivec2 texel) { write_map(folded_map() + float(scale)); }"},
                    {"trace.glsl", "Trace trace(ReliefRay ray) { return hit_on_ray(0.5, other); }"}}),
-          technique_(folder_.load()),
+          library_(find_techniques({folder_.root()})),
           inputs_(device(), configuration_.lighting, configuration_.truth) {
         configuration_.preparation.limit_s = 0;
+        laboratory_.emplace(library_, configuration_, inputs_, MapMaking{});
     }
+
+    const Technique& technique() const { return library_.techniques.front(); }
 
     Cell cell(const std::string& map, double view_angle, const ParameterValues& changed = {}) const {
         Cell cell;
-        cell.technique = technique_.manifest.id;
-        cell.parameters = technique_.manifest.defaults();
+        cell.technique = technique().manifest.id;
+        cell.parameters = technique().manifest.defaults();
         for (const auto& [name, value] : changed)
             cell.parameters[name] = value;
         cell.view.height_map.name = map;
         cell.view.height_map.size = {16, 16};
         cell.view.view = test::make_view(view_angle, Projection::parallel, {16, 16});
-        cell.id = cell_id(technique_.manifest, cell.parameters, cell.view);
+        cell.id = cell_id(technique().manifest, cell.parameters, cell.view);
         return cell;
     }
 
-    PreparedOrSkipped prepare(const Cell& cell) {
-        return prepare_cell(device(), technique_, cell, inputs_, configuration_, {.failed = failed_});
-    }
+    CellResult prepare(const Cell& cell) { return laboratory_->make_ready(cell).result; }
 
     std::string maps_key(const Cell& cell) {
-        const Renderer renderer(device(), technique_, cell.parameters, inputs_.map(cell.view).scene, cell.view.view,
+        const Renderer renderer(device(), technique(), cell.parameters, inputs_.map(cell.view).scene, cell.view.view,
                                 configuration_.lighting);
         return renderer.maps_key();
     }
 
     test::TemporaryTechnique folder_;
-    Technique technique_;
+    TechniqueLibrary library_;
     Configuration configuration_;
     SharedInputs inputs_;
-    FailedPreparations failed_;
+    std::optional<Laboratory> laboratory_;
 };
 
 TEST_F(FailedPreparation, MapsAreTheSameWhateverIsDrawnWithThem) {
@@ -67,32 +71,47 @@ TEST_F(FailedPreparation, MapsAreTheSameWhateverIsDrawnWithThem) {
 }
 
 TEST_F(FailedPreparation, OneThatWasGivenUpIsNotTriedAgain) {
-    const std::string reason = prepare(cell("rock", 0)).skip_reason;
-    EXPECT_THAT(reason, HasSubstr("more than the limit of 0 s"));
-    EXPECT_THAT(reason, testing::Not(HasSubstr("about 0 s")));
-    const FailedPreparations::Failure* known = failed_.find(maps_key(cell("rock", 30)));
-    ASSERT_NE(known, nullptr);
-    EXPECT_TRUE(known->given_up);
-    EXPECT_EQ(known->reason, reason);
+    const CellResult given_up = prepare(cell("rock", 0));
+    EXPECT_EQ(given_up.status, CellStatus::skipped);
+    EXPECT_THAT(given_up.reason, HasSubstr("more than the limit of 0 s"));
+    EXPECT_THAT(given_up.reason, testing::Not(HasSubstr("about 0 s")));
     // With a limit that would do, to tell that nothing is tried.
     configuration_.preparation.limit_s = 60;
-    EXPECT_EQ(prepare(cell("rock", 30)).skip_reason, reason);
-    EXPECT_TRUE(prepare(cell("bricks", 0)).cell) << "other maps are tried";
-    EXPECT_TRUE(prepare(cell("rock", 0, {{"scale", std::int64_t{2}}})).cell) << "other settings are tried";
+    const CellResult again = prepare(cell("rock", 30));
+    EXPECT_EQ(again.status, CellStatus::skipped);
+    EXPECT_EQ(again.reason, given_up.reason);
+    EXPECT_EQ(prepare(cell("bricks", 0)).status, CellStatus::ok) << "other maps are tried";
+    EXPECT_EQ(prepare(cell("rock", 0, {{"scale", std::int64_t{2}}})).status, CellStatus::ok)
+        << "other settings are tried";
 }
 
 TEST_F(FailedPreparation, OneThatFailedIsNotTriedAgain) {
     configuration_.preparation.limit_s = 60;
-    failed_.add(maps_key(cell("rock", 0)), {false, "the maps burnt down"});
-    EXPECT_EQ(error_message([&] { prepare(cell("rock", 30)); }), "the maps burnt down");
+    MapMaking maps;
+    maps.failed.add(maps_key(cell("rock", 0)), {false, "the maps burnt down"});
+    laboratory_.emplace(library_, configuration_, inputs_, std::move(maps));
+    const CellResult result = prepare(cell("rock", 30));
+    EXPECT_EQ(result.status, CellStatus::failed);
+    EXPECT_EQ(result.reason, "the maps burnt down");
 }
 
-TEST_F(FailedPreparation, AnAnswerOutOfRangeIsAnError) {
+TEST_F(FailedPreparation, WhatCrashedTooOftenIsKnownToFail) {
+    const FailedPreparations failed =
+        crashed_preparations({{"often", std::vector<std::string>(most_crashes, "signal 11")}, {"once", {"signal 11"}}});
+    ASSERT_NE(failed.find("often"), nullptr);
+    EXPECT_FALSE(failed.find("often")->given_up);
+    EXPECT_THAT(failed.find("often")->reason, HasSubstr("signal 11"));
+    EXPECT_EQ(failed.find("once"), nullptr);
+}
+
+TEST_F(FailedPreparation, ACellThatWasReadyIsMadeReadyAgainWithoutALimit) {
     configuration_.preparation.limit_s = 60;
-    EXPECT_TRUE(prepare(cell("rock", 0)).cell);
-    write_text_file(folder_.folder() / "trace.glsl", "Trace trace(ReliefRay ray) { return hit_on_ray(2.0, other); }");
-    technique_ = folder_.load();
-    EXPECT_THAT(error_message([&] { prepare(cell("rock", 0)); }), HasSubstr("s = 2 at pixel (0, 0)"));
+    EXPECT_EQ(prepare(cell("rock", 0)).status, CellStatus::ok);
+    configuration_.preparation.limit_s = 0;
+    const PreparedCell again = laboratory_->make_ready_again(cell("rock", 0));
+    EXPECT_EQ(again.result.status, CellStatus::ok);
+    EXPECT_TRUE(again.renderer);
+    EXPECT_FALSE(again.probe) << "nothing is drawn for figures that are known";
 }
 
 }  // namespace

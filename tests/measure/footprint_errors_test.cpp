@@ -1,6 +1,6 @@
 // Image errors over the footprint have no floor that an exact technique cannot pass; those of the whole picture have.
 
-#include "measure/cell_preparation.hpp"
+#include "measure/laboratory.hpp"
 #include "measure/motion.hpp"
 #include "technique/test_scene.hpp"
 
@@ -32,12 +32,10 @@ protected:
         cell.view.view.relief.height_scale = 0.1;
         cell.view.view.relief.boundary = boundary;
         SharedInputs inputs(device(), configuration_.lighting, configuration_.truth);
-        FailedPreparations failed;
-        PreparedOrSkipped prepared =
-            prepare_cell(device(), library().get(technique), cell, inputs, configuration_, {.failed = failed});
-        EXPECT_TRUE(prepared.cell) << prepared.skip_reason;
-        CellResult result = prepared.cell->result;
-        const MotionSubject subject{&prepared.cell->renderer, &result};
+        PreparedCell prepared = Laboratory(library(), configuration_, inputs, {}).make_ready(cell);
+        EXPECT_EQ(prepared.result.reason, "");
+        CellResult result = prepared.result;
+        const MotionSubject subject{&*prepared.renderer, &result};
         measure_motion(inputs, cell.view, configuration_, {&subject, 1}, {});
         return result;
     }

@@ -1,7 +1,7 @@
 #include "measure/motion.hpp"
 
 #include "core/error.hpp"
-#include "measure/cell_preparation.hpp"
+#include "measure/laboratory.hpp"
 #include "technique/test_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -72,6 +72,21 @@ TEST_F(Motion, RanksStairStepsAboveFineLayersAboveExactHits) {
             EXPECT_EQ(value("motion.unseen", coarse), value("motion.unseen", exact));
         }
     }
+}
+
+TEST_F(Motion, ATruthThatCannotBeTracedFailsItsCellsAndNothingElse) {
+    SharedInputs inputs(device(), configuration_.lighting, configuration_.truth);
+    const Technique flat = find_techniques({default_technique_root()}).get("flat");
+    Renderer renderer =
+        test::make_renderer(device(), flat, inputs.map(view_).scene, view_.view, configuration_.lighting, {});
+    ViewKey missing = view_;
+    missing.height_map.name = "missing.png";
+    CellResult result;
+    const MotionSubject subject{&renderer, &result};
+    measure_motion(inputs, missing, configuration_, {&subject, 1}, {});
+    EXPECT_EQ(result.status, CellStatus::failed);
+    EXPECT_NE(result.reason.find("missing.png"), std::string::npos) << result.reason;
+    EXPECT_FALSE(result.motion);
 }
 
 }  // namespace

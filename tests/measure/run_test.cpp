@@ -1,7 +1,7 @@
 #include "measure/run.hpp"
 
 #include "core/error.hpp"
-#include "measure/cell_preparation.hpp"
+#include "measure/laboratory.hpp"
 #include "store/crashes.hpp"
 #include "support/temporary_folder.hpp"
 

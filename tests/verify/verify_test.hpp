@@ -4,7 +4,7 @@
 #include "support/temporary_folder.hpp"
 #include "technique/technique.hpp"
 #include "verify/check_list.hpp"
-#include "verify/circumstance.hpp"
+#include "verify/drawing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "measure/search_advice.hpp"
+#include "manifest/search_advice.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "measure/search_advice.hpp"
+#include "manifest/search_advice.hpp"
 
 #include "core/suggest.hpp"
 

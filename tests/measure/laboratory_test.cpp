@@ -1,6 +1,6 @@
 // Cells that end as failed although they were drawn, on a device with the validation layer on.
 
-#include "measure/cell_preparation.hpp"
+#include "measure/laboratory.hpp"
 
 #include "gpu/loop_limit.hpp"
 #include "technique/test_scene.hpp"
@@ -30,11 +30,7 @@ protected:
         const std::vector<Cell> cells = expand(configuration, library.manifests());
         EXPECT_EQ(cells.size(), 1U);
         SharedInputs inputs(device(), configuration.lighting, configuration.truth);
-        FailedPreparations failed;
-        PreparedOrSkipped prepared =
-            prepare_cell(device(), library.get(technique), cells.front(), inputs, configuration, {.failed = failed});
-        EXPECT_EQ(prepared.skip_reason, "");
-        return std::move(prepared.cell->result);
+        return Laboratory(library, configuration, inputs, {}).make_ready(cells.front()).result;
     }
 
     static TechniqueLibrary shipped() { return find_techniques({default_technique_root()}); }
@@ -47,13 +43,11 @@ TEST_F(CellPreparation, TellsWhatItBegins) {
     const Configuration configuration = parse_configuration(json, "test", {}, library.manifests());
     const Cell cell = expand(configuration, library.manifests()).front();
     SharedInputs inputs(device(), configuration.lighting, configuration.truth);
-    FailedPreparations failed;
+    Laboratory laboratory(library, configuration, inputs, {});
     std::vector<std::string> stages;
-    const LongPreparation long_preparation{.failed = failed,
-                                           .on_stage = [&](const std::string& stage) { stages.push_back(stage); }};
     const auto prepare_again = [&] {
         stages.clear();
-        prepare_cell(device(), library.get("qdm"), cell, inputs, configuration, long_preparation);
+        laboratory.make_ready(cell, {.on_stage = [&](const std::string& stage) { stages.push_back(stage); }});
         return stages;
     };
     EXPECT_THAT(prepare_again(),
@@ -103,6 +97,34 @@ TEST_F(CellPreparation, ACellWhoseLoopsTheDeviceEndedIsFailed) {
                                      HasSubstr("after 65535 iterations of all of them together"),
                                      HasSubstr("give each loop an end of its own that is sooner")));
     EXPECT_GT(value_of("work.taps_mean", result).value(), 60000) << "its figures are kept";
+}
+
+TEST_F(CellPreparation, AnAnswerOutOfRangeFailsTheCellAndLeavesNoFigureButThePicture) {
+    const test::TemporaryTechnique wrong(
+        Files{{"trace.glsl", "Trace trace(ReliefRay ray) { return hit_on_ray(2.0, 1); }"}});
+    const TechniqueLibrary library = find_techniques({wrong.root()});
+    SharedInputs inputs(device(), Lighting{}, TruthSettings{});
+    const Configuration configuration;
+    Laboratory laboratory(library, configuration, inputs, {});
+    Cell cell;
+    cell.id = cell.technique = wrong.folder().filename();
+    cell.parameters = library.techniques.front().manifest.defaults();
+    cell.view.height_map.name = "rock";
+    cell.view.height_map.size = {16, 16};
+    cell.view.view = test::make_view(0, Projection::parallel, {16, 16});
+    const PreparedCell prepared = laboratory.make_ready(cell);
+    EXPECT_EQ(prepared.result.status, CellStatus::failed);
+    EXPECT_THAT(prepared.result.reason, HasSubstr("s = 2 at pixel (0, 0)"));
+    EXPECT_FALSE(prepared.has_figures());
+    EXPECT_FALSE(prepared.result.work);
+    EXPECT_FALSE(prepared.result.prepare_ms);
+    ASSERT_TRUE(prepared.probe) << "it is drawn, to see where it fails";
+
+    cell.skip_reason = "the configuration says so";
+    const PreparedCell skipped = laboratory.make_ready(cell);
+    EXPECT_EQ(skipped.result.status, CellStatus::skipped);
+    EXPECT_EQ(describe_ending(skipped.result), "skipped: the configuration says so");
+    EXPECT_FALSE(skipped.probe);
 }
 
 }  // namespace
