@@ -74,6 +74,11 @@ const std::vector<FigureOf<HitErrors>>& hit_error_table() {
         {over_compared("error.uv_texels.p50", "UV error, median", texels, lower), statistic<uv, &Summary::p50>},
         {over_compared("error.uv_texels.p95", "UV error, p95", texels, lower), statistic<uv, &Summary::p95>},
         {over_compared("error.uv_texels.p99", "UV error, p99", texels, lower), statistic<uv, &Summary::p99>},
+        {over_compared("error.uv_texels.p999", "UV error, p99.9", texels, lower),
+         [](const HitErrors& errors) {
+             const std::vector<double>& pixels = errors.pixels.uv_texels;
+             return pixels.empty() ? std::nullopt : std::optional(quantile(pixels, 0.999));
+         }},
         {over_compared("error.uv_texels.max", "UV error, maximum", texels, lower), statistic<uv, &Summary::max>},
         {over_compared("error.depth.mean", "Depth error, signed mean", sides, Better::neither),
          statistic<depth, &Summary::mean>},

@@ -161,6 +161,25 @@ TEST(HitErrors, PercentilesSeeEveryPixel) {
     EXPECT_DOUBLE_EQ(errors.uv_texels->p99, 197.01);
 }
 
+TEST(HitErrors, OneInAThousandPixelsIsAFigure) {
+    // Errors of 0 texels but for two pixels in a thousand, of 4 and 8: p99.9 = 0.999 · 999 between these.
+    std::vector<Hit> hits(1000, Hit{0, 0, 0, 1});
+    hits[500] = {1, 0, 0, 1};
+    hits[7] = {2, 0, 0, 1};
+    const HitErrors errors =
+        compare_hits(row(hits), row(std::vector<Hit>(1000, Hit{0, 0, 0, 1})),
+                     row_footprint(std::vector<std::uint8_t>(1000, 1)), flat_map({4, 4}), Relief{});
+    EXPECT_EQ(errors.uv_texels->p99, 0);
+    const auto p999 = [](const HitErrors& of) {
+        for (const auto& [path, value] : figures_of(of)) {
+            if (path == "error.uv_texels.p999") return value;
+        }
+        return std::optional<double>(-1);
+    };
+    EXPECT_NEAR(p999(errors).value(), 4 + 4 * 0.001, 1e-9);
+    EXPECT_FALSE(p999(HitErrors{})) << "no pixel is compared";
+}
+
 /// Heights that rise along u by 1/4 per texel, back at 0 past the border; 4 × 1 texels.
 HeightMap ramp() {
     Image<float> heights(Resolution{4, 1});
