@@ -229,6 +229,21 @@ TEST_F(Compilation, DeviceLimitsGiveAReason) {
     EXPECT_THAT(unsupported_reason(device(), technique, {}, huge, {256, 256}), HasSubstr("on a side"));
 }
 
+TEST_F(Compilation, FeaturesThatTheDeviceLacksGiveAReason) {
+    for (const std::string feature : {"shaderFloat64", "VK_EXT_mesh_shader", "VK_KHR_ray_query"}) {
+        const TemporaryTechnique folder(
+            Files{{"technique.json", manifest_json("", R"(, "features": [")" + feature + R"("])")},
+                  {"trace.glsl", flat_trace}});
+        const std::string reason =
+            unsupported_reason(device(), folder.load(), {}, make_view(0, Projection::parallel), {64, 64});
+        const gpu::DeviceInfo& info = device().info();
+        EXPECT_EQ(reason, info.has_feature(feature) ? "" : info.name + " lacks the feature " + feature);
+    }
+    const TemporaryTechnique folder(Files{
+        {"technique.json", manifest_json("", R"(, "features": ["VK_KHR_ray_queries"])")}, {"trace.glsl", flat_trace}});
+    EXPECT_THAT(error_message([&] { folder.load(); }), HasSubstr("(did you mean 'VK_KHR_ray_query'?)"));
+}
+
 TEST_F(Compilation, LimitsOfThreeDimensionalMapsGiveAReason) {
     const std::string parameter =
         R"({"name": "slices", "type": "integer", "default": 4, "range": [1, 16384], "help": "h"})";
