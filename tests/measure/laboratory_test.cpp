@@ -115,8 +115,8 @@ TEST_F(CellPreparation, AnAnswerOutOfRangeFailsTheCellAndLeavesNoFigureButThePic
     const PreparedCell prepared = laboratory.make_ready(cell);
     EXPECT_EQ(prepared.result.status, CellStatus::failed);
     EXPECT_THAT(prepared.result.reason, HasSubstr("s = 2 at pixel (0, 0)"));
-    EXPECT_FALSE(prepared.has_figures());
-    EXPECT_FALSE(prepared.result.work);
+    EXPECT_FALSE(prepared.is_compared);
+    EXPECT_FALSE(value_of("work.taps_mean", prepared.result));
     EXPECT_FALSE(prepared.result.prepare_ms);
     ASSERT_TRUE(prepared.probe) << "it is drawn, to see where it fails";
 
