@@ -206,7 +206,7 @@ ExitCode compare_live(const AbOptions& options) {
                         format_comparison(comparison, ComparisonFormat::json));
     }
     const ExitCode code = options.output.print(comparison);
-    return graver(code, check_validation(device));
+    return worse_of(code, check_validation(device));
 }
 
 }  // namespace

@@ -214,7 +214,7 @@ ExitCode bench(const BenchOptions& options) {
     for (const CellResult* cell : cells->failed()) {
         fmt::print(stderr, "reliefbench: cell failed: {}: {}\n", cell->cell, cell->reason);
     }
-    return graver(cells->failed().empty() ? ExitCode::done : ExitCode::cells_failed, check_validation(*device));
+    return worse_of(cells->failed().empty() ? ExitCode::done : ExitCode::cells_failed, check_validation(*device));
 }
 
 }  // namespace

@@ -33,9 +33,9 @@ ExitCode exit_code_of(const Comparison& comparison) {
     const std::size_t regressions =
         (comparison.quality_only ? 0 : counts.slower) + counts.worse + (comparison.accept_mixed ? 0 : counts.mixed);
     ExitCode code = ExitCode::done;
-    if (undecided > 0 || comparison.cells.empty()) code = graver(code, ExitCode::undecided);
-    if (regressions > 0) code = graver(code, ExitCode::regression);
-    if (counts.failed_now > 0) code = graver(code, ExitCode::cells_failed);
+    if (undecided > 0 || comparison.cells.empty()) code = worse_of(code, ExitCode::undecided);
+    if (regressions > 0) code = worse_of(code, ExitCode::regression);
+    if (counts.failed_now > 0) code = worse_of(code, ExitCode::cells_failed);
     return code;
 }
 

@@ -5,10 +5,10 @@
 
 namespace reliefbench {
 
-ExitCode graver(ExitCode first, ExitCode second) {
-    constexpr std::array gravest_first = {ExitCode::internal_error, ExitCode::bad_input, ExitCode::cells_failed,
-                                          ExitCode::regression,     ExitCode::undecided, ExitCode::done};
-    const auto rank = [&](ExitCode code) { return std::find(gravest_first.begin(), gravest_first.end(), code); };
+ExitCode worse_of(ExitCode first, ExitCode second) {
+    constexpr std::array worst_first = {ExitCode::internal_error, ExitCode::bad_input, ExitCode::cells_failed,
+                                        ExitCode::regression,     ExitCode::undecided, ExitCode::done};
+    const auto rank = [&](ExitCode code) { return std::find(worst_first.begin(), worst_first.end(), code); };
     return rank(first) < rank(second) ? first : second;
 }
 

@@ -13,6 +13,6 @@ enum class ExitCode {
 };
 
 /// The one to report where both apply: 5, 2, 4, 1, 3, 0.
-ExitCode graver(ExitCode first, ExitCode second);
+ExitCode worse_of(ExitCode first, ExitCode second);
 
 }  // namespace reliefbench

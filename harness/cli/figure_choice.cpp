@@ -12,7 +12,7 @@ namespace reliefbench {
 namespace {
 
 /// Of figures that a short name may mean.
-constexpr std::size_t most_suggested_figures = 6;
+constexpr std::size_t max_suggested_figures = 6;
 
 /// In small letters: "error.uv_texels.p99" is error, uv, texels, p99.
 std::vector<std::string> words_of_figure(std::string_view text) {
@@ -70,8 +70,8 @@ std::vector<std::string> figures_meant(const std::string& name, const FigureChoi
     std::stable_sort(meant.begin(), meant.end(), [](const std::string& a, const std::string& b) {
         return std::count(a.begin(), a.end(), '.') > std::count(b.begin(), b.end(), '.');
     });
-    if (meant.size() > most_suggested_figures) {
-        meant.resize(most_suggested_figures);
+    if (meant.size() > max_suggested_figures) {
+        meant.resize(max_suggested_figures);
         meant.emplace_back("...");
     }
     return std::move(meant);

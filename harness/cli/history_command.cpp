@@ -22,7 +22,7 @@ namespace reliefbench {
 namespace {
 
 /// Three before a change and three after it.
-constexpr std::size_t fewest_runs = 6;
+constexpr std::size_t min_runs = 6;
 
 struct HistoryCommandOptions {
     std::vector<std::string> folders;
@@ -58,7 +58,7 @@ ExitCode show_history(const HistoryCommandOptions& options) {
     give_common_ids(runs);
     keep_cells(runs, options.cells);
     warn_of_disorder(runs);
-    if (runs.size() < fewest_runs) {
+    if (runs.size() < min_runs) {
         log_warning("{} {} too few for change points: at least three stand before one and three after it",
                     counted(runs.size(), "run"), runs.size() == 1 ? "is" : "are");
     }

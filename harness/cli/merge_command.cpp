@@ -54,11 +54,11 @@ std::vector<PlannedCell> planned_cells(const std::vector<NamedRun>& shards) {
 
 /// Not longer than anyone reads.
 std::string missing_text(std::vector<std::string> missing) {
-    constexpr std::size_t most_told = 10;
+    constexpr std::size_t max_listed = 10;
     const std::size_t count = missing.size();
-    if (count > most_told) {
-        missing.resize(most_told);
-        missing.push_back(fmt::format("and {} more", count - most_told));
+    if (count > max_listed) {
+        missing.resize(max_listed);
+        missing.push_back(fmt::format("and {} more", count - max_listed));
     }
     return join(missing);
 }

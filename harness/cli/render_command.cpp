@@ -130,7 +130,7 @@ ExitCode draw_frames(const RenderOptions& options, const std::vector<Cell>& cell
         const DrawnToFile made = draw_to_file(path, cells[frame], drawing);
         if (made.is_written)
             fmt::print(stderr, "[{}/{}] {}: {}\n", frame + 1, cells.size(), path.string(), cells[frame].id);
-        code = graver(code, report_ending(made.result));
+        code = worse_of(code, report_ending(made.result));
     }
     return code;
 }
@@ -187,7 +187,7 @@ ExitCode render(const RenderOptions& options) {
     } else {
         code = draw_cell(options, cells.front(), drawing);
     }
-    return graver(code, check_validation(device));
+    return worse_of(code, check_validation(device));
 }
 
 }  // namespace

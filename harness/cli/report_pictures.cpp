@@ -173,13 +173,13 @@ private:
 
 }  // namespace
 
-CellPictures collect_pictures(const StoredRun& run, std::size_t most_bytes, PagePictures& pictures) {
+CellPictures collect_pictures(const StoredRun& run, std::size_t max_bytes, PagePictures& pictures) {
     const std::filesystem::path images = std::filesystem::path(run.name) / "images";
     const std::set<std::string> names = image_names(images);
     const std::vector<CellFiles> files = files_by_interest(run, names);
     Collector collector(run.run.cells.size(), pictures);
     for (const CellFiles& of_cell : files) {
-        if (pictures.bytes() >= most_bytes) {
+        if (pictures.bytes() >= max_bytes) {
             collector.leave_out();
             continue;
         }
@@ -188,7 +188,7 @@ CellPictures collect_pictures(const StoredRun& run, std::size_t most_bytes, Page
     }
     // Further maps take what room the others leave.
     for (const CellFiles& of_cell : files) {
-        for (std::size_t map = 1; map < of_cell.maps.size() && pictures.bytes() < most_bytes; ++map) {
+        for (std::size_t map = 1; map < of_cell.maps.size() && pictures.bytes() < max_bytes; ++map) {
             collector.add_map(of_cell, of_cell.maps[map]);
         }
     }

@@ -47,7 +47,7 @@ void warn_of_constant_maps(const std::vector<HeightMapRecord>& maps) {
     }
 }
 
-/// run.json of a run that is gone on with: as it was, with a note of when, where and how it was gone on with.
+/// run.json of a run that is resumed: as it was, with a note of when, where and how it was resumed.
 Json resumed_record(Json recorded, const Json& now, const std::vector<std::string>& differences) {
     Json note;
     for (const char* part : {"environment", "device", "command_line"})
@@ -110,7 +110,7 @@ ExitCode report_failures(const std::vector<CellResult>& cells) {
     return failures > 0 ? ExitCode::cells_failed : ExitCode::done;
 }
 
-/// The finished cells as the folder has them, in the configuration's order; not those that a run which was gone on with
+/// The finished cells as the folder has them, in the configuration's order; not those that a run which was resumed
 /// by force has of another one.
 Run read_back(const std::filesystem::path& folder, const std::vector<Cell>& cells) {
     std::unordered_map<std::string_view, std::size_t> order;
@@ -222,7 +222,7 @@ ExitCode work_on_run(const RunJob& job, WorkerStatus& status) {
     writer.write_summary(make_run_summary(outcome, run.run.at("empty_pass")));
     write_exports(writer.folder(), job.exports);
     status.end(WorkerStatus::Ending::finished);
-    return graver(report_failures(run.cells), check_validation(device));
+    return worse_of(report_failures(run.cells), check_validation(device));
 }
 
 }  // namespace reliefbench

@@ -49,7 +49,7 @@ constexpr double share_within = 0.3;
 /// Of a process's time, for sampling: the rest compiles, traces truths and warms up.
 constexpr double share_sampling = 0.6;
 /// Fewer say next to nothing about how far runs lie apart.
-constexpr int fewest_processes = 3;
+constexpr int min_processes = 3;
 
 struct SelfcheckOptions {
     std::string configuration;
@@ -122,7 +122,7 @@ int run_processes(const SelfcheckOptions& options, const RunSources& sources, do
     const std::filesystem::path configuration = write_run_configuration(options, sources, budget_s, scratch.path());
     for (int done = 0; done < options.processes; ++done) {
         const double spent_s = clock.seconds() - begin_s;
-        if (done >= fewest_processes && spent_s * (done + 1) / done > budget_s) return done;
+        if (done >= min_processes && spent_s * (done + 1) / done > budget_s) return done;
         fmt::print(stderr, "process {} of {}\n", done + 1, options.processes);
         const std::filesystem::path folder = scratch.path() / fmt::format("run{}", done);
         collect_medians(run_once(options, configuration, folder), cells);
@@ -222,8 +222,8 @@ void keep_visible(const Comparison& comparison, std::vector<NoiseRecord::Cell>& 
 
 ExitCode selfcheck(SelfcheckOptions options) {
     const double budget_s = parse_duration(options.budget, "--budget");
-    if (options.processes < fewest_processes) {
-        fail("--processes: expected at least {}, found {}", fewest_processes, options.processes);
+    if (options.processes < min_processes) {
+        fail("--processes: expected at least {}, found {}", min_processes, options.processes);
     }
     if (options.configuration.empty()) options.configuration = (configuration_root() / "quick.json").string();
     RunSources sources =
@@ -270,7 +270,7 @@ ExitCode selfcheck(SelfcheckOptions options) {
     if (processes < options.processes) {
         log_warning("{} of {} processes fitted into --budget {}", processes, options.processes, options.budget);
     }
-    if (report_false_verdicts(comparison)) code = graver(code, ExitCode::regression);
+    if (report_false_verdicts(comparison)) code = worse_of(code, ExitCode::regression);
     return code;
 }
 

@@ -34,7 +34,7 @@ constexpr const char* worker_variable = "RELIEFBENCH_WORKER";
 constexpr int watch_ms = 100;
 /// What was stopped and goes on (Ctrl-Z) looks overdue once, before the pass has had the time to end.
 constexpr int certain_looks = 2;
-constexpr int most_deaths_outside_cells = 2;
+constexpr int max_deaths_outside_cells = 2;
 
 /// How a worker ended.
 struct Death {
@@ -152,7 +152,7 @@ ExitCode supervise(const Supervision& supervision) {
     const InterruptWatch interrupts(
         "\nreliefbench: interrupted; finishing the visit (interrupt again to end at once)\n");
     WorkerStatus status(supervision.pass_timeout_s);
-    for (int deaths_outside_cells = 0; deaths_outside_cells < most_deaths_outside_cells;) {
+    for (int deaths_outside_cells = 0; deaths_outside_cells < max_deaths_outside_cells;) {
         status.clear();
         const pid_t process = start_worker(status, supervision);
         const Death death = watch_to_the_end(process, status, interrupts, supervision.pass_timeout);

@@ -88,7 +88,7 @@ ExitCode verify(const VerifyOptions& options) {
     }
     print_results(fmt::format("{} of {} passed on {}{}\n", passed, counted(passed + failed, "check"),
                               device.info().name, skipped > 0 ? fmt::format(", {} skipped", skipped) : ""));
-    return graver(failed > 0 ? ExitCode::cells_failed : ExitCode::done, check_validation(device));
+    return worse_of(failed > 0 ? ExitCode::cells_failed : ExitCode::done, check_validation(device));
 }
 
 }  // namespace

@@ -14,10 +14,10 @@ namespace reliefbench {
 namespace {
 
 /// More than anyone will make: what would take as many is not worth telling.
-constexpr std::size_t most_runs = 1000;
+constexpr std::size_t max_runs = 1000;
 
 /// Fewer say too little of how far identical code lies apart.
-constexpr std::size_t fewest_control_cells = 10;
+constexpr std::size_t min_control_cells = 10;
 
 /// Without the detour over long double, which costs more than half of the time.
 using StudentsT =
@@ -96,12 +96,12 @@ RatioEstimate estimate_between_runs(std::span<const double> base_ms, std::span<c
     estimate.p_unchanged = std::min(1.0, 2 * p_above(std::abs(evidence.log_ratio), standard_error, freedom));
     estimate.visible = visible_change(evidence, threshold);
     estimate.units = units;
-    estimate.more = more_units(evidence, threshold, most_runs);
+    estimate.more = more_units(evidence, threshold, max_runs);
     return estimate;
 }
 
 double noise_inflation(std::span<const ControlCell> cells) {
-    if (cells.size() < fewest_control_cells) return 1;
+    if (cells.size() < min_control_cells) return 1;
     std::vector<double> distances;
     for (const ControlCell& cell : cells) {
         const double half_width = std::log(cell.estimate.ci95.high / cell.estimate.ci95.low) / 2;
@@ -111,7 +111,7 @@ double noise_inflation(std::span<const ControlCell> cells) {
             half_width * upper_quantile(0.25, cell.degrees_of_freedom) / upper_quantile(0.025, cell.degrees_of_freedom);
         distances.push_back(std::abs(std::log(cell.estimate.ratio)) / quartile);
     }
-    return distances.size() < fewest_control_cells ? 1 : std::max(1.0, median(distances));
+    return distances.size() < min_control_cells ? 1 : std::max(1.0, median(distances));
 }
 
 }  // namespace reliefbench

@@ -37,7 +37,7 @@ CellMedians times_of(const SideCell& base, const SideCell& changed) {
 }
 
 /// Enough for the runs to tell their own noise: three a side.
-constexpr std::size_t fewest_own_degrees_of_freedom = 4;
+constexpr std::size_t min_own_degrees_of_freedom = 4;
 
 /// Chance alone makes identical code differ by less.
 constexpr double told_inflation = 1.5;
@@ -48,7 +48,7 @@ struct NoiseSources {
 };
 
 bool runs_tell(std::size_t base_runs, std::size_t new_runs) {
-    return base_runs + new_runs >= fewest_own_degrees_of_freedom + 2;
+    return base_runs + new_runs >= min_own_degrees_of_freedom + 2;
 }
 
 RunNoise noise_for(const NoiseSources& sources, const SideCell& base, const SideCell& changed) {

@@ -26,15 +26,15 @@ double visible_change(const Evidence& evidence, double threshold) {
                       evidence.unlucky_reach(evidence.units));
 }
 
-std::optional<std::size_t> more_units(const Evidence& evidence, double threshold, std::size_t most_units) {
+std::optional<std::size_t> more_units(const Evidence& evidence, double threshold, std::size_t max_units) {
     const double log_threshold = std::log1p(threshold);
     if (decides(evidence, log_threshold, evidence.units)) return 0;
     std::size_t too_few = evidence.units;
     std::size_t enough = too_few + 1;
     while (!decides(evidence, log_threshold, enough)) {
-        if (enough >= most_units) return std::nullopt;
+        if (enough >= max_units) return std::nullopt;
         too_few = enough;
-        enough = std::min(2 * enough, most_units);
+        enough = std::min(2 * enough, max_units);
     }
     while (enough - too_few > 1) {
         const std::size_t middle = too_few + (enough - too_few) / 2;

@@ -24,7 +24,7 @@ struct Evidence {
 /// As a fraction: RatioEstimate::visible.
 double visible_change(const Evidence& evidence, double threshold);
 
-/// How many more units decide if the log ratio stays: RatioEstimate::more. Empty beyond `most_units`.
-std::optional<std::size_t> more_units(const Evidence& evidence, double threshold, std::size_t most_units);
+/// How many more units decide if the log ratio stays: RatioEstimate::more. Empty beyond `max_units`.
+std::optional<std::size_t> more_units(const Evidence& evidence, double threshold, std::size_t max_units);
 
 }  // namespace reliefbench

@@ -150,9 +150,9 @@ std::map<std::string, std::vector<std::string>> values_of_side(const RunSide& si
 }
 
 std::string first_values(const std::vector<std::string>& values) {
-    constexpr std::size_t most_told = 5;
-    if (values.size() <= most_told) return join(values);
-    return join({values.begin(), values.begin() + most_told}) + ", ...";
+    constexpr std::size_t max_listed = 5;
+    if (values.size() <= max_listed) return join(values);
+    return join({values.begin(), values.begin() + max_listed}) + ", ...";
 }
 
 /// Where no cell is in both sides: what has no value in common, else what has not the same values.

@@ -15,7 +15,7 @@ namespace reliefbench {
 namespace {
 
 /// Rounds take milliseconds, but nobody waits for more than this.
-constexpr std::size_t most_rounds = 100000;
+constexpr std::size_t max_rounds = 100000;
 
 double normal_upper_quantile(double p) {
     return boost::math::quantile(boost::math::complement(boost::math::normal(), p));
@@ -76,7 +76,7 @@ RatioEstimate estimate_paired(std::span<const double> log_ratios, double thresho
     estimate.p_unchanged = std::min(1.0, 2 * p_one_sided / share_of_look);
     estimate.visible = visible_change(evidence, threshold);
     estimate.units = rounds;
-    estimate.more = more_units(evidence, threshold, most_rounds);
+    estimate.more = more_units(evidence, threshold, max_rounds);
     return estimate;
 }
 

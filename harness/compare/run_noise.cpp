@@ -17,8 +17,8 @@ namespace reliefbench {
 namespace {
 
 /// As good as knowing a variance exactly.
-constexpr double most_degrees_of_freedom = 1000;
-constexpr std::size_t fewest_cells = 3;
+constexpr double max_degrees_of_freedom = 1000;
+constexpr std::size_t min_cells = 3;
 
 double mean(const std::vector<double>& values) {
     double sum = 0;
@@ -116,7 +116,7 @@ double freedom_of_mean_variance(const std::vector<CellVariance>& cells) {
         freedom = cell.degrees_of_freedom;
         ++complete;
     }
-    if (complete < static_cast<double>(fewest_cells)) return freedom;
+    if (complete < static_cast<double>(min_cells)) return freedom;
     const double between_cells = sum_of_squares(sums) / freedom - variances;
     const double seen = std::clamp(between_cells / (deviations * deviations - variances), 0.0, 1.0);
     const double correlation = cautious_correlation(seen, freedom);
@@ -128,7 +128,7 @@ double freedom_of_mean_variance(const std::vector<CellVariance>& cells) {
 RunNoise pool_noise(std::span<const NoiseRecord::Cell> cells, const std::string& time) {
     double variance = 0;
     std::size_t counted = 0;
-    std::size_t fewest_processes = 0;
+    std::size_t min_processes = 0;
     for (const NoiseRecord::Cell& cell : cells) {
         const std::size_t processes = cell.log_median_ms.size();
         if (processes < 2) continue;
@@ -138,7 +138,7 @@ RunNoise pool_noise(std::span<const NoiseRecord::Cell> cells, const std::string&
             squares += (value - centre) * (value - centre);
         }
         variance += squares / static_cast<double>(processes - 1);
-        fewest_processes = counted == 0 ? processes : std::min(fewest_processes, processes);
+        min_processes = counted == 0 ? processes : std::min(min_processes, processes);
         ++counted;
     }
     if (counted == 0) {
@@ -147,9 +147,9 @@ RunNoise pool_noise(std::span<const NoiseRecord::Cell> cells, const std::string&
     }
     RunNoise noise;
     noise.log_sd = std::sqrt(variance / static_cast<double>(counted));
-    noise.degrees_of_freedom = static_cast<double>(fewest_processes - 1);
+    noise.degrees_of_freedom = static_cast<double>(min_processes - 1);
     noise.source =
-        fmt::format("measured on this machine by `reliefbench selfcheck`, {}, {} processes", time, fewest_processes);
+        fmt::format("measured on this machine by `reliefbench selfcheck`, {}, {} processes", time, min_processes);
     return noise;
 }
 
@@ -159,7 +159,7 @@ RunNoise noise_of_runs(std::span<const CellMedians> cells) {
     noise.degrees_of_freedom = 0;
     noise.source = "the runs compared";
     const std::vector<CellVariance> variances = variances_of(cells);
-    if (variances.size() < fewest_cells) return noise;
+    if (variances.size() < min_cells) return noise;
 
     std::vector<double> logs;
     double scatter_of_chance = 0;
@@ -179,7 +179,7 @@ RunNoise noise_of_runs(std::span<const CellMedians> cells) {
     }
     const double excess = scatter - scatter_of_chance;
     // Cells no less alike than chance makes them share one variance.
-    double freedom = most_degrees_of_freedom;
+    double freedom = max_degrees_of_freedom;
     double log_variance = centre;
     if (excess > 0) {
         freedom = std::min(freedom, 2 * inverse_trigamma(excess));

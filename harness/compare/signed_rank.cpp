@@ -14,7 +14,7 @@ namespace reliefbench {
 
 namespace {
 
-constexpr std::size_t most_values_for_exact = 50;
+constexpr std::size_t max_values_for_exact = 50;
 
 /// P(T = s) for the sum T of those `ranks` whose sign is positive, signs being fair coins. Ranks are doubled, so that
 /// mean ranks are whole.
@@ -77,7 +77,7 @@ double variance_of_rank_sum(double count, double ties) {
 
 /// How many Walsh averages lie outside at either end of the interval; empty when leaving out none is too many.
 std::optional<std::size_t> left_out_at_each_end(std::size_t count, double level) {
-    if (count <= most_values_for_exact) {
+    if (count <= max_values_for_exact) {
         std::vector<std::size_t> doubled;
         for (std::size_t index = 0; index < count; ++index) {
             doubled.push_back(doubled_mean_rank(index, index));
@@ -105,7 +105,7 @@ double signed_rank_p_above(std::span<const double> values) {
     assert(!values.empty());
     const SignedRanks ranks = rank(values);
     if (ranks.doubled.empty()) return 1;
-    if (ranks.doubled.size() <= most_values_for_exact) {
+    if (ranks.doubled.size() <= max_values_for_exact) {
         const std::vector<double> probability = distribution_of_rank_sum(ranks.doubled);
         double tail = 0;
         for (std::size_t sum = probability.size(); sum-- > ranks.doubled_sum_of_positive;) {

@@ -22,12 +22,12 @@ std::string system_reason() {
     return std::strerror(errno);
 }
 
-std::string read_to_end(std::FILE* file, const std::string& name, std::uint64_t most_bytes) {
+std::string read_to_end(std::FILE* file, const std::string& name, std::uint64_t max_bytes) {
     std::string text;
     char buffer[65536];
     while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file)) {
         text.append(buffer, count);
-        if (text.size() > most_bytes) fail("cannot read {}: it is larger than {} bytes", name, most_bytes);
+        if (text.size() > max_bytes) fail("cannot read {}: it is larger than {} bytes", name, max_bytes);
     }
     if (std::ferror(file) != 0) fail("cannot read {}: {}", name, system_reason());
     return text;
@@ -43,14 +43,14 @@ void write_whole(const std::filesystem::path& path, std::string_view text) {
 
 }  // namespace
 
-std::string read_text_file(const std::filesystem::path& path, std::uint64_t most_bytes) {
+std::string read_text_file(const std::filesystem::path& path, std::uint64_t max_bytes) {
     const FileHandle file(std::fopen(path.c_str(), "rb"));
     if (!file) fail("cannot read {}: {}", path.string(), system_reason());
-    return read_to_end(file.get(), path.string(), most_bytes);
+    return read_to_end(file.get(), path.string(), max_bytes);
 }
 
-std::string read_standard_input(std::uint64_t most_bytes) {
-    return read_to_end(stdin, "standard input", most_bytes);
+std::string read_standard_input(std::uint64_t max_bytes) {
+    return read_to_end(stdin, "standard input", max_bytes);
 }
 
 void write_text_file(const std::filesystem::path& path, std::string_view text) {

@@ -75,7 +75,7 @@ constexpr std::size_t longest_value_shown = 60;
 /// Far above what any of our files has. What reads values goes down as deep as they are; members of one object are
 /// looked for one after the other.
 constexpr int deepest_nesting = 64;
-constexpr std::size_t most_members = 10000;
+constexpr std::size_t max_members = 10000;
 
 std::string shown(const Json& value) {
     std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -111,8 +111,8 @@ Json parse_json(std::string_view text, const std::string& file) {
             const std::size_t key = start_of_string(text, static_cast<std::size_t>(position - text.data()));
             fail("{}:{}: duplicate key {}", file, line_and_column(text, key), shown(parsed));
         }
-        if (keys_of_open_objects.back().size() > most_members) {
-            fail("{}:{}: an object with more than {} members", file, here(), most_members);
+        if (keys_of_open_objects.back().size() > max_members) {
+            fail("{}:{}: an object with more than {} members", file, here(), max_members);
         }
         return true;
     };

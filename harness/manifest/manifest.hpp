@@ -134,7 +134,7 @@ struct Manifest {
     std::optional<std::string> sample_count;
     /// The parameter that keeps its default ratio to the sample count when that is swept (an adaptive minimum).
     std::optional<std::string> sample_count_minimum;
-    /// Integer parameters that cap the technique's search; what `unconverged` marks could have gone on with more.
+    /// Integer parameters that cap the technique's search; what `unconverged` marks could have searched on with more.
     /// Empty: the manifest does not say.
     std::vector<std::string> search_cap = {};
     /// Device features it needs, as the device layer names them: "tessellationShader", ...

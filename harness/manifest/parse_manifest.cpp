@@ -16,9 +16,9 @@ namespace reliefbench {
 namespace {
 
 /// What every Vulkan device must offer is 256; no device has more than this.
-constexpr std::int64_t most_slices = 16384;
+constexpr std::int64_t max_slices = 16384;
 /// Some devices end all loops of an invocation together after 65,535.
-constexpr std::int64_t most_slice_iterations = 32768;
+constexpr std::int64_t max_slice_iterations = 32768;
 
 /// The enumerators' words, in the order of the enumeration.
 const std::vector<std::string> promises{"first_hit", "order_1", "order_2", "conservative"};
@@ -77,14 +77,14 @@ std::vector<MapNeed> parse_needs(const JsonView& view) {
 void parse_depth(const JsonView& view, const Manifest& manifest, MapDeclaration& map) {
     if (map.mip_chain) view.fail_here("a map of three dimensions has one level; leave \"mip_chain\" out");
     if (!view.json().is_string()) {
-        map.depth = static_cast<int>(view.integer(1, most_slices));
+        map.depth = static_cast<int>(view.integer(1, max_slices));
         return;
     }
     map.depth_parameter = parse_integer_name(view, manifest);
     const Parameter& slices = *manifest.find_parameter(*map.depth_parameter);
-    if (slices.minimum < 1 || slices.maximum > most_slices) {
+    if (slices.minimum < 1 || slices.maximum > max_slices) {
         view.fail_here(fmt::format("the range of '{}' must lie within 1 and {}, as it is a number of slices",
-                                   slices.name, most_slices));
+                                   slices.name, max_slices));
     }
 }
 
@@ -131,7 +131,7 @@ Slicing parse_slicing(const JsonView& view, const PassDeclaration& pass, const M
             "slices fold their results in the map '{}', which rounds them; give it a format of floats", map.name));
     }
     if (view.has("iterations")) {
-        slicing.iterations = static_cast<int>(view.at("iterations").integer(1, most_slice_iterations));
+        slicing.iterations = static_cast<int>(view.at("iterations").integer(1, max_slice_iterations));
     }
     if (view.has("ends_early")) slicing.ends_early = view.at("ends_early").boolean();
     return slicing;

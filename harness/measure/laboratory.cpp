@@ -188,7 +188,7 @@ std::string describe_ending(const CellResult& result) {
 FailedPreparations crashed_preparations(const std::map<std::string, std::vector<std::string>>& crashed) {
     FailedPreparations failed;
     for (const auto& [maps, reasons] : crashed) {
-        if (reasons.size() >= most_crashes) failed.add(maps, {false, crashed_preparation_reason(reasons)});
+        if (reasons.size() >= max_crashes) failed.add(maps, {false, crashed_preparation_reason(reasons)});
     }
     return failed;
 }

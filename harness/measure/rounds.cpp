@@ -115,7 +115,7 @@ private:
         if (!attempt(submitted.subject, [&] { visit.samples = state.subject->collect(); })) return;
         assert(!visit.samples.empty() && "a subject that times nothing would never settle");
         visit.throttled = callbacks_.is_throttled && callbacks_.is_throttled();
-        visit.counted = !visit.throttled || state.throttled_repeats == most_throttled_repeats;
+        visit.counted = !visit.throttled || state.throttled_repeats == max_throttled_repeats;
         state.device_s += device_seconds(visit.samples, state.subject->repeats());
         if (visit.counted) {
             state.result.throttled_rounds += visit.throttled ? 1 : 0;

@@ -24,7 +24,7 @@ struct Visit {
 
 /// A cell is visited at most so many times more than its rule asks for because the device was throttled; from then on
 /// throttled visits count.
-inline constexpr std::size_t most_throttled_repeats = 10;
+inline constexpr std::size_t max_throttled_repeats = 10;
 
 /// What an interrupted execution has of a subject.
 struct EarlierSamples {

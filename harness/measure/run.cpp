@@ -48,7 +48,7 @@ EarlierSamples earlier_samples(const std::vector<RawSamples>& visits) {
 }
 
 /// Of what the rule asks for; time says nothing about rounds.
-int least_rounds(const SamplingSettings& sampling) {
+int min_rounds(const SamplingSettings& sampling) {
     return sampling.rule == SamplingSettings::Rule::time ? 1 : sampling.rounds;
 }
 
@@ -68,7 +68,7 @@ public:
           start_s_(clock.seconds()),
           recent_state_(source.device_state(), clock),
           rule_(make_stopping_rule(configuration.sampling)),
-          estimate_(cells_to_measure(cells, options.earlier), least_rounds(configuration.sampling)),
+          estimate_(cells_to_measure(cells, options.earlier), min_rounds(configuration.sampling)),
           cells_done_(static_cast<std::size_t>(
               std::ranges::count_if(cells, [this](const Cell& cell) { return is_finished(cell); }))) {}
 
@@ -150,7 +150,7 @@ private:
         stage_ = fmt::format("preparing {} of {}{}", ++prepared_, cells_of_block_, of_block_);
         report(cell.id);
         if (const auto crashes = options_.earlier.crashes.find(cell.id);
-            crashes != options_.earlier.crashes.end() && crashes->second.size() >= most_crashes) {
+            crashes != options_.earlier.crashes.end() && crashes->second.size() >= max_crashes) {
             return {.index = index,
                     .result = ended_result(cell, CellStatus::failed, crashed_cell_reason(crashes->second))};
         }

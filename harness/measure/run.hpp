@@ -43,8 +43,8 @@ struct TimeSplit {
 };
 
 struct MeasureOptions {
-    /// Of an interrupted execution of the same cells: finished ones stay as they are, the others go on with the rounds
-    /// they have. One that too many worker processes died on is failed without another try.
+    /// Of an interrupted execution of the same cells: finished ones stay as they are, the others continue with the
+    /// rounds they have. One that too many worker processes died on is failed without another try.
     EarlierWork earlier = {};
     /// Whether to end early, with what is done; asked between any two pieces of work. May be empty.
     std::function<bool()> is_interrupted = {};
@@ -65,7 +65,7 @@ struct RunOutcome {
 /// motion where they are asked for), warm up, sample in rounds, then append the block's cells to the run's folder and
 /// free its truths and pipelines. What fails is a cell's failure; an Error of the store (a full disk) ends the run.
 /// When it is interrupted the visits at hand are finished; every sample is in the folder then, so that the run can be
-/// gone on with. So it is when the device is lost: the cell that lost it is failed, the others wait for a new device.
+/// resumed. So it is when the device is lost: the cell that lost it is failed, the others wait for a new device.
 /// Finished cells are in the folder only: memory does not grow with their number.
 RunOutcome run_cells(CellSource& source, const Configuration& configuration, const std::vector<Cell>& cells,
                      RunWriter& writer, const std::function<void(const Progress&)>& on_progress,

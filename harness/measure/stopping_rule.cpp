@@ -65,13 +65,13 @@ private:
 
 class PrecisionRule : public StoppingRule {
 public:
-    PrecisionRule(double precision, std::size_t least_rounds, double budget_s)
-        : precision_(precision), least_rounds_(least_rounds), budget_s_(budget_s) {}
+    PrecisionRule(double precision, std::size_t min_rounds, double budget_s)
+        : precision_(precision), min_rounds_(min_rounds), budget_s_(budget_s) {}
 
     std::optional<StopReason> stop(const SampleRounds& samples, double device_s) const override {
         const std::size_t rounds = rounds_of(samples);
         if (rounds < SamplingSettings::rounds_for_interval) return std::nullopt;
-        if (rounds >= least_rounds_ && (rounds == least_rounds_ || is_look(rounds))) {
+        if (rounds >= min_rounds_ && (rounds == min_rounds_ || is_look(rounds))) {
             bool precise = true;
             bool stalled = false;
             for (const auto& [pass, pass_rounds] : samples) {
@@ -89,7 +89,7 @@ public:
 
 private:
     double precision_;
-    std::size_t least_rounds_;
+    std::size_t min_rounds_;
     double budget_s_;
 };
 
@@ -106,13 +106,13 @@ std::vector<double> round_medians(const std::vector<std::vector<double>>& rounds
 
 bool has_stopped_narrowing(std::span<const double> medians) {
     constexpr std::size_t least = 32;
-    constexpr double least_share = 0.9;
+    constexpr double min_share = 0.9;
     const std::size_t rounds = medians.size();
     if (rounds < least || !std::has_single_bit(rounds)) return false;
     const double quarter = width(median_interval(medians.first(rounds / 4)));
     const double half = width(median_interval(medians.first(rounds / 2)));
     const double whole = width(median_interval(medians));
-    return half >= least_share * quarter && whole >= least_share * half;
+    return half >= min_share * quarter && whole >= min_share * half;
 }
 
 std::unique_ptr<StoppingRule> make_fixed_rule(int rounds) {
@@ -123,8 +123,8 @@ std::unique_ptr<StoppingRule> make_time_rule(double budget_s) {
     return std::make_unique<TimeRule>(budget_s);
 }
 
-std::unique_ptr<StoppingRule> make_precision_rule(double precision, int least_rounds, double budget_s) {
-    return std::make_unique<PrecisionRule>(precision, static_cast<std::size_t>(std::max(least_rounds, 0)), budget_s);
+std::unique_ptr<StoppingRule> make_precision_rule(double precision, int min_rounds, double budget_s) {
+    return std::make_unique<PrecisionRule>(precision, static_cast<std::size_t>(std::max(min_rounds, 0)), budget_s);
 }
 
 std::unique_ptr<StoppingRule> make_stopping_rule(const SamplingSettings& settings) {

@@ -34,11 +34,11 @@ std::unique_ptr<StoppingRule> make_fixed_rule(int rounds);
 /// When the device has been at it for so long.
 std::unique_ptr<StoppingRule> make_time_rule(double budget_s);
 
-/// Not before `least_rounds`; then when, for every pass, the 95 % interval of the median of the rounds' medians lies
+/// Not before `min_rounds`; then when, for every pass, the 95 % interval of the median of the rounds' medians lies
 /// within ±`precision` of that median (precise), or more rounds do not narrow it (stalled), or `budget_s` of the
-/// device's time is spent (budget, which ends it before `least_rounds` too, but not before the interval exists). The
+/// device's time is spent (budget, which ends it before `min_rounds` too, but not before the interval exists). The
 /// interval is looked at after every round up to 32, then 16 times in every doubling of rounds.
-std::unique_ptr<StoppingRule> make_precision_rule(double precision, int least_rounds, double budget_s);
+std::unique_ptr<StoppingRule> make_precision_rule(double precision, int min_rounds, double budget_s);
 
 /// The median of each round.
 std::vector<double> round_medians(const std::vector<std::vector<double>>& rounds);

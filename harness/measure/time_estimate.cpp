@@ -4,8 +4,8 @@
 
 namespace reliefbench {
 
-TimeEstimate::TimeEstimate(std::size_t cells, int least_rounds)
-    : to_prepare_(static_cast<double>(cells)), least_rounds_(least_rounds), unfinished_(static_cast<double>(cells)) {}
+TimeEstimate::TimeEstimate(std::size_t cells, int min_rounds)
+    : to_prepare_(static_cast<double>(cells)), min_rounds_(min_rounds), unfinished_(static_cast<double>(cells)) {}
 
 void TimeEstimate::add_preparation(double seconds) {
     --to_prepare_;
@@ -35,7 +35,7 @@ void TimeEstimate::drop_cell(std::size_t visits) {
 }
 
 double TimeEstimate::remaining_seconds() const {
-    const double visits_each = std::max(least_rounds_, finished_ > 0 ? finished_visits_ / finished_ : 0);
+    const double visits_each = std::max(min_rounds_, finished_ > 0 ? finished_visits_ / finished_ : 0);
     const double visits_left = std::max(0.0, unfinished_ * visits_each - unfinished_visits_);
     if ((to_prepare_ > 0 && prepared_ == 0) || (visits_left > 0 && timed_visits_ == 0)) return -1;
     const double preparation = to_prepare_ > 0 ? to_prepare_ * preparation_seconds_ / prepared_ : 0;

@@ -5,11 +5,11 @@
 namespace reliefbench {
 
 /// How long a run will go on, from what its cells have taken so far: each is prepared once, then visited until it is
-/// finished. How many visits that takes is known beforehand (`least_rounds`) only where the stopping rule fixes it;
+/// finished. How many visits that takes is known beforehand (`min_rounds`) only where the stopping rule fixes it;
 /// else those that are finished tell.
 class TimeEstimate {
 public:
-    TimeEstimate(std::size_t cells, int least_rounds);
+    TimeEstimate(std::size_t cells, int min_rounds);
 
     void add_preparation(double seconds);
     /// More for cells whose preparation was added before.
@@ -25,7 +25,7 @@ public:
 
 private:
     double to_prepare_;
-    double least_rounds_;
+    double min_rounds_;
     double prepared_ = 0;
     double preparation_seconds_ = 0;
     /// Cells that want visits, and the visits that they have had.

@@ -158,7 +158,7 @@ std::vector<Samples> find_penumbra(const VisibilityTracer& tracer, const HitImag
             if (!hits.texels[pixel].is_hit()) continue;
             for (std::size_t light = 0; light < tracer.lights(); ++light) {
                 Samples samples{pixel, light, std::vector<int>(static_cast<std::size_t>(sampling.scrambles)), 0};
-                tracer.sample(samples, sampling.least_points);
+                tracer.sample(samples, sampling.min_points);
                 visibility.fractions.texels[pixel][light] = static_cast<float>(samples.fraction());
                 if (samples.is_in_penumbra()) found[begin / pixels_per_task].push_back(std::move(samples));
             }
@@ -182,9 +182,9 @@ void trace_soft(const VisibilityTracer& tracer, const HitImage& hits, const Ligh
     std::vector<Samples> penumbra = find_penumbra(tracer, hits, sampling, visibility);
     if (penumbra.empty()) return;
     // All of them, whatever their own error: to stop where chance has made it small would hide what is left.
-    for (int points = sampling.least_points;
-         points < sampling.most_points && mean_standard_error(penumbra) > sampling.standard_error;) {
-        points = std::min(2 * points, sampling.most_points);
+    for (int points = sampling.min_points;
+         points < sampling.max_points && mean_standard_error(penumbra) > sampling.standard_error;) {
+        points = std::min(2 * points, sampling.max_points);
         parallel_for(penumbra.size(), pixels_per_task, [&](std::size_t begin, std::size_t end) {
             for (std::size_t index = begin; index < end; ++index)
                 tracer.sample(penumbra[index], points);
@@ -199,7 +199,7 @@ void trace_soft(const VisibilityTracer& tracer, const HitImage& hits, const Ligh
 
 LightVisibility trace_light_visibility(const HitImage& hits, const HeightMap& map, const View& view,
                                        const Lighting& lighting, const LightSampling& sampling) {
-    assert(lighting.lights.size() <= 3 && sampling.scrambles > 1 && sampling.least_points <= sampling.most_points);
+    assert(lighting.lights.size() <= 3 && sampling.scrambles > 1 && sampling.min_points <= sampling.max_points);
     LightVisibility visibility;
     visibility.fractions = Image<std::array<float, 3>>(hits.size, {1, 1, 1});
     if (view.self_shadow.mode == SelfShadow::Mode::off || !lighting.enabled) return visibility;

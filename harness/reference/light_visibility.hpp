@@ -15,10 +15,10 @@ namespace reliefbench {
 struct LightSampling {
     int scrambles = 8;
     /// In each scrambling: 256 rays at least.
-    int least_points = 32;
+    int min_points = 32;
     /// And 2048 at most: the number is doubled for the whole penumbra until its mean standard error is at most
     /// `standard_error`.
-    int most_points = 256;
+    int max_points = 256;
     double standard_error = 1.0 / 255;
 };
 

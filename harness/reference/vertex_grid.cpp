@@ -10,7 +10,7 @@ namespace reliefbench {
 namespace {
 
 /// Three gigabytes of vertices.
-constexpr double most_vertices = 1 << 28;
+constexpr double max_vertices = 1 << 28;
 
 }  // namespace
 
@@ -25,12 +25,12 @@ VertexGrid enclosing_grid(const HeightMap& map, const Relief& relief, glm::dvec2
     const double top = std::ceil(high.y * height - 0.5);
     const double columns = (right - left) * subdivision + 1;
     const double rows = (top - bottom) * subdivision + 1;
-    if (columns * rows > most_vertices) {
+    if (columns * rows > max_vertices) {
         fail(
             "a mesh of the height map '{}' with subdivision {} and tiling {} would have {:.3g} vertices, at most "
             "{:.3g} "
             "are possible: lower the subdivision, the tiling or the map's size, or use the exact truth",
-            map.name, subdivision, relief.tiling, columns * rows, most_vertices);
+            map.name, subdivision, relief.tiling, columns * rows, max_vertices);
     }
     return {static_cast<int>(left), static_cast<int>(bottom), static_cast<int>(columns), static_cast<int>(rows),
             subdivision};

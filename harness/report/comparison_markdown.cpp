@@ -14,13 +14,13 @@ namespace reliefbench {
 namespace {
 
 /// Rows of one table. Four tables of rows of up to about 300 characters stay below the limit of a comment.
-constexpr std::size_t most_rows = 50;
+constexpr std::size_t max_rows = 50;
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// A table of at most `most_rows`, and how many more there are.
+/// A table of at most `max_rows`, and how many more there are.
 std::string cut_table(const std::vector<std::string>& titles, std::string_view alignment, Rows rows) {
-    const std::size_t left_out = rows.size() - std::min(rows.size(), most_rows);
+    const std::size_t left_out = rows.size() - std::min(rows.size(), max_rows);
     rows.resize(rows.size() - left_out);
     std::string table = markdown_table(titles, alignment, rows);
     if (left_out > 0) table += fmt::format("\nand {} more\n", left_out);

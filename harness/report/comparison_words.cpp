@@ -180,10 +180,10 @@ std::string reason_beyond_figures(const CellComparison& cell, const Comparison& 
 
 std::string quality_change_text(const QualityChange& change) {
     // As many digits as it takes to tell the sides apart.
-    constexpr int most_digits = 17;
+    constexpr int max_digits = 17;
     int digits = 3;
     const auto value = [&](const std::optional<double>& side) { return value_text(side, change.unit, digits); };
-    while (digits < most_digits && value(change.base) == value(change.changed)) {
+    while (digits < max_digits && value(change.base) == value(change.changed)) {
         ++digits;
     }
     std::string judgement;

@@ -21,7 +21,7 @@ namespace reliefbench {
 namespace {
 
 /// Runs that a sparkline shows: the newest.
-constexpr std::size_t most_runs_drawn = 60;
+constexpr std::size_t max_runs_drawn = 60;
 /// Cells named in a group that moved together.
 constexpr std::size_t moved_cells_named = 5;
 
@@ -39,7 +39,7 @@ std::string changes_text(const CellHistory& cell) {
 }
 
 std::string series_text(const CellHistory& cell) {
-    const std::size_t left_out = cell.median_ms.size() - std::min(cell.median_ms.size(), most_runs_drawn);
+    const std::size_t left_out = cell.median_ms.size() - std::min(cell.median_ms.size(), max_runs_drawn);
     std::vector<std::size_t> marks;
     for (const ChangePoint& change : cell.changes) {
         if (change.run >= left_out) marks.push_back(change.run - left_out);

@@ -12,12 +12,12 @@ namespace reliefbench {
 namespace {
 
 /// The most important of a cell.
-constexpr std::size_t most_changes = 12;
+constexpr std::size_t max_changes = 12;
 
 Json changes_to_json(const QualityComparison& quality) {
     Json changes = Json::array();
     for (const QualityChange& change : quality.changes) {
-        if (changes.size() == most_changes) break;
+        if (changes.size() == max_changes) break;
         const bool on_one_side_only = !(change.base && change.changed);
         if (on_one_side_only ? !change.is_deciding : !(change.worse || change.better)) continue;
         changes.push_back({{"decides", change.decides}, {"text", quality_change_text(change)}});

@@ -80,11 +80,11 @@ int brightness(Colour colour) {
 /// are too many to be worth while.
 std::optional<PagePacking> as_palette(const PagePicture& picture) {
     const std::size_t pixels = picture.rgb.size() / channels;
-    const std::size_t most_colours = std::min<std::size_t>(4096, pixels / 8);
+    const std::size_t max_colours = std::min<std::size_t>(4096, pixels / 8);
     std::unordered_map<Colour, std::size_t> index;
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
         index.try_emplace(colour_at(picture, pixel), 0);
-        if (index.size() > most_colours) return std::nullopt;
+        if (index.size() > max_colours) return std::nullopt;
     }
     std::vector<Colour> palette;
     for (const auto& [colour, unused] : index) {

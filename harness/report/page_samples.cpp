@@ -10,15 +10,15 @@ namespace {
 
 /// Of all passes and cells together: 60,000 groups are 3 MB of text.
 constexpr std::size_t wanted_groups = 60'000;
-constexpr std::size_t fewest_groups = 2;
-constexpr std::size_t most_groups = 64;
+constexpr std::size_t min_groups = 2;
+constexpr std::size_t max_groups = 64;
 
 std::size_t groups_per_cell(const RunSamples& samples) {
     std::size_t series = 0;
     for (const auto& [pass, cells] : samples) {
         series += cells.size();
     }
-    return std::clamp(wanted_groups / std::max<std::size_t>(series, 1), fewest_groups, most_groups);
+    return std::clamp(wanted_groups / std::max<std::size_t>(series, 1), min_groups, max_groups);
 }
 
 }  // namespace

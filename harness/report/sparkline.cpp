@@ -13,7 +13,7 @@ constexpr std::size_t highest_block = std::size(blocks) - 1;
 constexpr const char* missing = "·";
 constexpr const char* mark = "│";
 /// Greatest / least value that the scale spans at least.
-constexpr double least_span = 1.2;
+constexpr double min_span = 1.2;
 
 bool is_drawn(const std::optional<double>& value) {
     return value && std::isfinite(*value) && *value > 0;
@@ -36,7 +36,7 @@ std::string sparkline(std::span<const std::optional<double>> values, std::span<c
             line += missing;
             continue;
         }
-        const double span = std::log(std::max(greatest / least, least_span));
+        const double span = std::log(std::max(greatest / least, min_span));
         const double height = std::log(*values[index] / least) / span * static_cast<double>(highest_block);
         line += blocks[std::min(highest_block, static_cast<std::size_t>(std::lround(height)))];
     }

@@ -15,7 +15,7 @@ namespace reliefbench {
 namespace {
 
 /// Of one kind and step; GitHub drops the rest silently.
-constexpr std::size_t most_annotations = 10;
+constexpr std::size_t max_annotations = 10;
 
 struct Message {
     std::string title;
@@ -81,8 +81,8 @@ void add_uncompared(const Comparison& comparison, std::vector<Message>& errors, 
 }
 
 std::string format_messages(Annotation annotation, const std::vector<Message>& messages) {
-    const bool too_many = messages.size() > most_annotations;
-    const std::size_t alone = too_many ? most_annotations - 1 : messages.size();
+    const bool too_many = messages.size() > max_annotations;
+    const std::size_t alone = too_many ? max_annotations - 1 : messages.size();
     std::string text;
     for (std::size_t message = 0; message < alone; ++message) {
         const auto& [title, words, cell] = messages[message];

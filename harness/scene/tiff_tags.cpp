@@ -27,9 +27,9 @@ enum Tag : std::uint16_t {
     gdal_nodata = 42113,
 };
 
-constexpr std::size_t most_pages = 1024;
+constexpr std::size_t max_pages = 1024;
 /// Of the tags that are looked at; the most channels that an image may have.
-constexpr std::uint64_t most_numbers = 1024;
+constexpr std::uint64_t max_numbers = 1024;
 
 /// Signals damage to the functions below: where a damaged file is an Error, they have no path for its message.
 struct Damaged {};
@@ -56,7 +56,7 @@ public:
         std::vector<TiffPage> pages;
         std::set<std::uint64_t> seen;
         for (std::uint64_t place = first_page_place(); place != 0;) {
-            if (pages.size() == most_pages || !seen.insert(place).second) throw Damaged{};
+            if (pages.size() == max_pages || !seen.insert(place).second) throw Damaged{};
             place = read_page(place, pages.emplace_back());
         }
         if (pages.empty()) throw Damaged{};
@@ -149,7 +149,7 @@ private:
 
     std::vector<std::uint64_t> numbers(const TiffEntry& entry) const {
         const std::size_t each = bytes_of(entry.type);
-        if (each == 0 || entry.count == 0 || entry.count > most_numbers) throw Damaged{};
+        if (each == 0 || entry.count == 0 || entry.count > max_numbers) throw Damaged{};
         std::vector<std::uint64_t> values;
         for (std::uint64_t index = 0; index < entry.count; ++index)
             values.push_back(number(entry.place + index * each, each));

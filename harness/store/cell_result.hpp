@@ -38,7 +38,7 @@ struct CellResult : CellTimes {
     /// All but those of CellTimes.
     FigureValues figures;
 
-    /// Finished by a run that was gone on with though its environment had changed (`--resume=force`).
+    /// Finished by a run that was resumed though its environment had changed (`--resume=force`).
     bool forced_resume = false;
 };
 

@@ -17,7 +17,7 @@ struct Crash {
 };
 
 /// A cell that so many workers died on is not tried again; nor are maps.
-inline constexpr std::size_t most_crashes = 2;
+inline constexpr std::size_t max_crashes = 2;
 
 /// One line more in crashes.jsonl of a run's folder; an Error when it cannot be written.
 void append_crash(const std::filesystem::path& folder, const Crash& crash);

@@ -32,9 +32,9 @@ Json without_folders(Json json) {
 
 /// The first few of them.
 std::string told(std::vector<std::string> differences) {
-    constexpr std::size_t most_told = 3;
-    if (differences.size() > most_told) {
-        differences.resize(most_told);
+    constexpr std::size_t max_listed = 3;
+    if (differences.size() > max_listed) {
+        differences.resize(max_listed);
         differences.emplace_back("...");
     }
     return join(differences);

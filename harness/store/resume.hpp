@@ -29,7 +29,7 @@ struct EarlierWork {
 /// Strict, as read_run and read_samples are.
 EarlierWork read_earlier_work(const std::filesystem::path& folder, const std::string& visited_pass);
 
-/// Why a run that has `recorded` as its run.json must not be gone on with by one that would write `now`, in words: the
+/// Why a run that has `recorded` as its run.json must not be resumed by one that would write `now`, in words: the
 /// configuration, the content of height maps, the sources of techniques or shared shaders, the device or its driver,
 /// the tool's version, or for a CPU device the CPU differ. Where files lie does not matter, only what they hold.
 std::vector<std::string> resume_differences(const Json& recorded, const Json& now);

@@ -78,7 +78,7 @@ std::string image_name(const std::string& cell) {
 }
 
 /// More shards than a sweep may have cells cannot be.
-constexpr std::int64_t most_shards = 1000000;
+constexpr std::int64_t max_shards = 1000000;
 
 /// What readers of stored runs look up without asking for its type. Records of other versions lack some.
 void check_run_record(const JsonView& record) {
@@ -98,7 +98,7 @@ void check_run_record(const JsonView& record) {
             }
         }
     }
-    if (record.has("shard")) record.at("shard").at("count").integer(1, most_shards);
+    if (record.has("shard")) record.at("shard").at("count").integer(1, max_shards);
 }
 
 /// Pictures only: a link could lead anywhere, and a folder into itself.

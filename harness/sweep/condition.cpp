@@ -18,7 +18,7 @@ namespace reliefbench {
 namespace {
 
 /// Of a quantity, told in a message.
-constexpr std::size_t most_alternatives = 12;
+constexpr std::size_t max_alternatives = 12;
 
 std::vector<std::string> ids(const ManifestIndex& manifests) {
     std::vector<std::string> found;
@@ -129,7 +129,7 @@ std::vector<Json> distinct_quantities(const std::vector<Cell>& cells, const std:
 
 std::string alternatives(const std::vector<Json>& values) {
     std::vector<std::string> words;
-    for (std::size_t index = 0; index < std::min(values.size(), most_alternatives); ++index)
+    for (std::size_t index = 0; index < std::min(values.size(), max_alternatives); ++index)
         words.push_back(scalar_text(values[index]));
     if (words.size() < values.size()) return join(words) + ", ...";
     if (words.size() < 2) return join(words);

@@ -14,7 +14,7 @@ namespace reliefbench {
 namespace {
 
 /// Above this the matrix is a mistake: at a tenth of a second a cell it would run for a day and more.
-constexpr double most_cells = 1e6;
+constexpr double max_cells = 1e6;
 
 /// Which value of a group's axes is taken.
 struct GroupChoice {
@@ -314,9 +314,9 @@ void check_size(const Plan& plan, const Origin& origin) {
             count *= static_cast<double>(values.size());
         cells += count;
     }
-    if (cells > most_cells) {
+    if (cells > max_cells) {
         fail("{}: {}.axes: {:.0f} cells are more than {:.0f}; take fewer values, or tie axes with \"zip\"", origin.file,
-             origin.path, cells, most_cells);
+             origin.path, cells, max_cells);
     }
 }
 

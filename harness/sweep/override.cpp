@@ -11,7 +11,7 @@ namespace reliefbench {
 
 namespace {
 
-constexpr double most_values = 100000;
+constexpr double max_values = 100000;
 /// 2^53: up to it doubles hold every integer.
 constexpr double largest_exact_integer = 9007199254740992;
 
@@ -51,7 +51,7 @@ void append_range(const std::string& text, Override& target) {
     // A hair beyond, so that a stop that rounding just misses is met.
     const double steps = std::floor((stop - start) / step + 1e-9);
     if (steps < 0) fail_range(text, target, "steps away from its stop");
-    if (steps >= most_values) fail_range(text, target, fmt::format("has more than {} values", most_values));
+    if (steps >= max_values) fail_range(text, target, fmt::format("has more than {} values", max_values));
     for (double index = 0; index <= steps; ++index) {
         const double number = start + index * step;
         if (whole_numbers) {

@@ -21,18 +21,18 @@ const std::vector<std::string> motion_directions{"view_angle", "azimuth"};
 const std::vector<std::string> object_shapes{"sphere", "box"};
 
 constexpr int largest_subdivision = 64;
-constexpr int most_rounds = 100000;
-constexpr int most_draws = 10000;
+constexpr int max_rounds = 100000;
+constexpr int max_draws = 10000;
 constexpr double longest_pass_ms = 10000;
 constexpr double finest_precision = 1e-6;
 constexpr double coarsest_precision = 1;
 constexpr double longest_budget_s = 86400;
 constexpr double longest_preparation_s = 1e7;
-constexpr std::size_t most_lights = 3;
+constexpr std::size_t max_lights = 3;
 constexpr double largest_radiance = 1e6;
 constexpr double largest_shininess = 1e5;
 constexpr double largest_length = 1e6;
-constexpr int most_frames = 1000;
+constexpr int max_frames = 1000;
 constexpr double longest_step_degrees = 10;
 constexpr double longest_arc_degrees = 60;
 constexpr double largest_angular_radius = 45;
@@ -141,7 +141,7 @@ SamplingSettings read_sampling(const JsonView& view) {
     if (view.has("rule")) sampling.rule = static_cast<SamplingSettings::Rule>(view.at("rule").choice(sampling_rules));
     if (view.has("rounds")) {
         const JsonView rounds = view.at("rounds");
-        sampling.rounds = static_cast<int>(rounds.integer(1, most_rounds));
+        sampling.rounds = static_cast<int>(rounds.integer(1, max_rounds));
         if (sampling.rule == SamplingSettings::Rule::precision &&
             sampling.rounds < SamplingSettings::rounds_for_interval) {
             rounds.fail_expected(
@@ -156,9 +156,9 @@ SamplingSettings read_sampling(const JsonView& view) {
         if (sampling.budget_s == 0) view.at("budget_s").fail_expected("seconds above 0");
     }
     if (view.has("samples_per_visit")) {
-        sampling.samples_per_visit = static_cast<int>(view.at("samples_per_visit").integer(1, most_draws));
+        sampling.samples_per_visit = static_cast<int>(view.at("samples_per_visit").integer(1, max_draws));
     }
-    if (view.has("warm_up")) sampling.warm_up = static_cast<int>(view.at("warm_up").integer(0, most_draws));
+    if (view.has("warm_up")) sampling.warm_up = static_cast<int>(view.at("warm_up").integer(0, max_draws));
     if (view.has("minimum_pass_ms")) sampling.minimum_pass_ms = view.at("minimum_pass_ms").number(0, longest_pass_ms);
     return sampling;
 }
@@ -177,8 +177,8 @@ Lighting read_lighting(const JsonView& view) {
         lighting.lights.clear();
         for (const JsonView& item : view.at("lights").items())
             lighting.lights.push_back(read_light(item));
-        if (lighting.lights.size() > most_lights) {
-            view.at("lights").fail_expected(fmt::format("at most {} lights", most_lights));
+        if (lighting.lights.size() > max_lights) {
+            view.at("lights").fail_expected(fmt::format("at most {} lights", max_lights));
         }
     }
     if (view.has("ambient")) lighting.ambient = read_colour(view.at("ambient"));
@@ -193,7 +193,7 @@ Lighting read_lighting(const JsonView& view) {
 MotionSettings read_motion(const JsonView& view) {
     view.require_only(configuration_keys::motion());
     MotionSettings motion;
-    if (view.has("frames")) motion.frames = static_cast<int>(view.at("frames").integer(2, most_frames));
+    if (view.has("frames")) motion.frames = static_cast<int>(view.at("frames").integer(2, max_frames));
     if (view.has("degrees")) {
         motion.degrees = view.at("degrees").number(0, longest_step_degrees);
         if (motion.degrees == 0) view.at("degrees").fail_expected("degrees above 0");

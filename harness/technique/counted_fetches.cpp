@@ -35,12 +35,12 @@ const char* remedy(gpu::Fetch::Kind kind) {
 }  // namespace
 
 void refuse_uncounted_fetches(const gpu::SpirV& module) {
-    constexpr std::size_t most_told = 20;
+    constexpr std::size_t max_listed = 20;
     std::set<std::pair<std::string, std::uint32_t>> told;
     std::string complaints;
     for (const gpu::Fetch& fetch : gpu::find_fetches(module)) {
         if (may_fetch(fetch.file) || !told.emplace(fetch.file, fetch.line).second) continue;
-        if (told.size() > most_told) {
+        if (told.size() > max_listed) {
             complaints += "\n...";
             break;
         }

@@ -66,8 +66,8 @@ std::string to_text(const KeptMaps& maps) {
     return content_hash(text) + '\n' + text;
 }
 
-/// Removes files, those used longest ago first, until the rest hold at most `most_bytes`.
-void make_room(const fs::path& folder, std::uint64_t most_bytes) {
+/// Removes files, those used longest ago first, until the rest hold at most `max_bytes`.
+void make_room(const fs::path& folder, std::uint64_t max_bytes) {
     struct Kept {
         fs::file_time_type used;
         std::uint64_t bytes;
@@ -81,7 +81,7 @@ void make_room(const fs::path& folder, std::uint64_t most_bytes) {
         total += files.back().bytes;
     }
     std::ranges::sort(files, {}, &Kept::used);
-    for (auto file = files.begin(); file != files.end() && total > most_bytes; ++file) {
+    for (auto file = files.begin(); file != files.end() && total > max_bytes; ++file) {
         fs::remove(file->path);
         total -= file->bytes;
     }
@@ -114,11 +114,11 @@ std::optional<KeptMaps> read_kept_maps(const fs::path& folder, const std::string
     }
 }
 
-void write_kept_maps(const fs::path& folder, const std::string& key, const KeptMaps& maps, std::uint64_t most_bytes) {
+void write_kept_maps(const fs::path& folder, const std::string& key, const KeptMaps& maps, std::uint64_t max_bytes) {
     try {
         fs::create_directories(folder);
         write_text_file(file_of(folder, key), to_text(maps));
-        make_room(folder, most_bytes);
+        make_room(folder, max_bytes);
     } catch (const std::exception& error) {
         log_warning("maps cannot be kept in {}: {}; name another folder with RELIEFBENCH_CACHE_DIR", folder.string(),
                     error.what());

@@ -29,8 +29,8 @@ struct KeptMaps {
 std::optional<KeptMaps> read_kept_maps(const std::filesystem::path& folder, const std::string& key);
 
 /// Files appear whole or not at all. Those used longest ago are removed where the folder would hold more than
-/// `most_bytes`. What the disk refuses is a warning.
+/// `max_bytes`. What the disk refuses is a warning.
 void write_kept_maps(const std::filesystem::path& folder, const std::string& key, const KeptMaps& maps,
-                     std::uint64_t most_bytes = std::uint64_t{2} << 30);
+                     std::uint64_t max_bytes = std::uint64_t{2} << 30);
 
 }  // namespace reliefbench

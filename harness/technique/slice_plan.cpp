@@ -12,7 +12,7 @@ namespace reliefbench {
 namespace {
 
 /// lavapipe (Mesa 22.3) silently ends all loops of an invocation together after 65,535 iterations.
-constexpr std::int64_t most_iterations = 60000;
+constexpr std::int64_t max_iterations = 60000;
 /// Far below the seconds after which a desktop takes a device for hung.
 constexpr double target_ms = 100;
 /// Iterations of all invocations together in the first slice, whose cost nobody knows: some ten milliseconds on a CPU
@@ -32,7 +32,7 @@ constexpr double unloaded_quantile = 0.25;
 
 SlicePlan::SlicePlan(std::int64_t sources, std::int64_t invocations, int iterations)
     : sources_(sources),
-      most_(std::max<std::int64_t>(most_iterations / iterations, 1)),
+      most_(std::max<std::int64_t>(max_iterations / iterations, 1)),
       length_(std::clamp<std::int64_t>(first_iterations / (invocations * iterations), 1, most_)) {
     assert(sources > 0 && invocations > 0 && iterations > 0);
 }

@@ -94,13 +94,13 @@ SampledError measure_error(CheckList& list, const PromiseDeclaration& declaratio
 
 /// By what an error may fall from one step of a series to the next, but for the floor.
 struct Fall {
-    double least_ratio;
+    double min_ratio;
     double greatest_ratio;
 };
 
 bool falls(const SampledError& coarse, const SampledError& fine, const Fall& fall) {
     return fine.missed == 0 && fine.median <= fall.greatest_ratio * coarse.median + coarse.floor &&
-           fine.median >= fall.least_ratio * coarse.median - coarse.floor;
+           fine.median >= fall.min_ratio * coarse.median - coarse.floor;
 }
 
 /// Whether a series can show that its errors do not fall: its first one is so far above the floor that staying there
@@ -225,7 +225,7 @@ bool is_left_out(CheckList& list, const PromiseDeclaration& declaration, const P
 }  // namespace
 
 void check_order_1(CheckList& list, const PromiseDeclaration& declaration) {
-    constexpr std::int64_t most_halvings = 6;
+    constexpr std::int64_t max_halvings = 6;
     if (!can_be_checked(list, declaration)) return;
     // Gentle slopes: rays at 60° cross the surface once, so that coarse steps find the same crossing as the truth.
     for (const Circumstance& where : smooth_circumstances({256, 256}, 0.02)) {
@@ -236,7 +236,7 @@ void check_order_1(CheckList& list, const PromiseDeclaration& declaration) {
             std::vector<Sampling> halved;
             if (declaration.halvings) {
                 const double most = list.manifest().find_parameter(*declaration.halvings)->maximum;
-                for (std::int64_t count = 0; count <= most_halvings && static_cast<double>(count) <= most; ++count)
+                for (std::int64_t count = 0; count <= max_halvings && static_cast<double>(count) <= most; ++count)
                     halved.push_back({8, count});
             }
             return judge_first_order(list, declaration, doublings, measure_series(list, declaration, where, halved));

@@ -47,7 +47,7 @@ export interface Advice {
   refused: number;
 }
 
-const mostSteps = 3;
+const maxSteps = 3;
 /** What views may differ in and be asked about together: the material, and the side it is seen from. */
 const joinedAxes = ["heightmap", "azimuth"];
 
@@ -162,7 +162,7 @@ function stepsBeyond(
   if (nearest !== null && keepsOthers(nearest)) before = nearest;
   const steps: Candidate[] = [];
   for (const point of keeping.filter(({ cost }) => !keeps(budget, cost)).sort(byCost)) {
-    if (steps.length === mostSteps) break;
+    if (steps.length === maxSteps) break;
     if (before !== null && !tellsBetter(question.error, point.error, before.error)) continue;
     steps.push(point);
     before = point;

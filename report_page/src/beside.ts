@@ -21,7 +21,7 @@ export interface Beside {
   sameHits: boolean;
 }
 
-const mostColumns = 8;
+const maxColumns = 8;
 
 interface Named {
   id: string;
@@ -107,7 +107,7 @@ function columnLabels(
 function besideOf(cells: Cells, selection: readonly number[], chosen: Named, all: readonly Named[]): Beside | null {
   const members = selection.filter((cell) => at(chosen.column, cell) >= 0);
   const used = new Set(members.map((cell) => at(chosen.column, cell)));
-  if (used.size < 2 || used.size > mostColumns) return null;
+  if (used.size < 2 || used.size > maxColumns) return null;
   const others = all.filter((named) => named !== chosen);
   const following = dependents(cells, chosen, others, members);
   const fixed = others.filter((named) => !following.includes(named));
@@ -126,7 +126,7 @@ function besideOf(cells: Cells, selection: readonly number[], chosen: Named, all
   const columns = [
     ...new Set([...compared].sort((a, b) => order(at(chosen.column, a)) - order(at(chosen.column, b))).map(label)),
   ];
-  if (columns.length < 2 || columns.length > mostColumns) return null;
+  if (columns.length < 2 || columns.length > maxColumns) return null;
   const rows = comparable.map((row) => ({
     technique: techniqueOf(cells, row[0]!),
     cells: columns.map((text) => row.find((cell) => label(cell) === text) ?? -1),

@@ -30,8 +30,8 @@ export function logRange(values: Iterable<number>): LogRange {
 }
 
 /** Numbers at an axis: fewer than these and more than those are not to be read from. */
-const fewestTicks = 4;
-const mostTicks = 9;
+const minTicks = 4;
+const maxTicks = 9;
 
 /** What is multiplied by powers of ten, from coarse to fine. */
 const decadeSteps = [[1], [1, 3], [1, 2, 5], [1, 2, 3, 4, 5, 6, 7, 8, 9]];
@@ -41,7 +41,7 @@ const exact = (value: number) => Number(value.toPrecision(12));
 /** Round numbers of a logarithmic axis from `min` to `max`, both above 0; two at least where the two differ. */
 export function logTicks(min: number, max: number): number[] {
   const [first, last] = [Math.floor(Math.log10(min)), Math.floor(Math.log10(max))];
-  const every = Math.max(1, Math.ceil((last - first) / mostTicks));
+  const every = Math.max(1, Math.ceil((last - first) / maxTicks));
   const within = (steps: number[]) => {
     const ticks: number[] = [];
     for (let exponent = Math.ceil(first / every) * every - every; exponent <= last; exponent += every) {
@@ -50,15 +50,15 @@ export function logTicks(min: number, max: number): number[] {
     return ticks.filter((tick) => tick >= min && tick <= max);
   };
   if (every > 1) return within([1]);
-  const choices = decadeSteps.map(within).filter((ticks) => ticks.length <= mostTicks);
-  const chosen = choices.find((ticks) => ticks.length >= fewestTicks) ?? choices.at(-1) ?? [];
-  return chosen.length >= fewestTicks ? chosen : linearTicks(min, max);
+  const choices = decadeSteps.map(within).filter((ticks) => ticks.length <= maxTicks);
+  const chosen = choices.find((ticks) => ticks.length >= minTicks) ?? choices.at(-1) ?? [];
+  return chosen.length >= minTicks ? chosen : linearTicks(min, max);
 }
 
 /** Round numbers from `min` to `max` in equal steps; two at least where the two differ. */
 export function linearTicks(min: number, max: number): number[] {
   if (!(max > min)) return [min];
-  const rough = (max - min) / (fewestTicks + 2);
+  const rough = (max - min) / (minTicks + 2);
   const decade = 10 ** Math.floor(Math.log10(rough));
   const step = exact(decade * [1, 2, 2.5, 5, 10].find((factor) => factor * decade >= 0.999 * rough)!);
   const ticks: number[] = [];

@@ -30,7 +30,7 @@ interface Judged {
   trouble: { text: string; meant: string | null } | null;
 }
 
-const mostListed = 12;
+const maxListed = 12;
 const never = () => false;
 
 function numberFrom(text: string): number | null {
@@ -107,8 +107,8 @@ function namedColumns(cells: Cells, figures: readonly NamedFigure[]): Map<string
 }
 
 function listed(texts: readonly string[]): string {
-  const shown = texts.slice(0, mostListed).join(", ");
-  return texts.length > mostListed ? `${shown} and ${texts.length - mostListed} more` : shown;
+  const shown = texts.slice(0, maxListed).join(", ");
+  return texts.length > maxListed ? `${shown} and ${texts.length - maxListed} more` : shown;
 }
 
 const sign = (term: Term) => (term.without ? "-" : "");

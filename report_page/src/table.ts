@@ -139,8 +139,8 @@ export class Table<Row> {
 
   /** Brings a row into sight; again where rows that were drawn for it have other heights than were expected. */
   reveal(at: number): void {
-    const mostTries = 3;
-    for (let tries = 0; tries < mostTries; ++tries) {
+    const maxTries = 3;
+    for (let tries = 0; tries < maxTries; ++tries) {
       const [top, bottom] = [this.heightOf(0, at), this.heightOf(0, at + 1)];
       const { scrollTop, clientHeight } = this.element;
       const room = clientHeight - this.head.offsetHeight;

@@ -10,12 +10,12 @@ namespace {
 
 TEST(ExitCode, TheGraverOfTwoIsReported) {
     // docs/architecture.md: where several apply, 5, 2, 4, 1, 3, 0.
-    const std::vector<int> gravest_first{5, 2, 4, 1, 3, 0};
-    for (std::size_t first = 0; first < gravest_first.size(); ++first) {
-        for (std::size_t second = 0; second < gravest_first.size(); ++second) {
+    const std::vector<int> worst_first{5, 2, 4, 1, 3, 0};
+    for (std::size_t first = 0; first < worst_first.size(); ++first) {
+        for (std::size_t second = 0; second < worst_first.size(); ++second) {
             const ExitCode code =
-                graver(static_cast<ExitCode>(gravest_first[first]), static_cast<ExitCode>(gravest_first[second]));
-            EXPECT_EQ(static_cast<int>(code), gravest_first[std::min(first, second)]);
+                worse_of(static_cast<ExitCode>(worst_first[first]), static_cast<ExitCode>(worst_first[second]));
+            EXPECT_EQ(static_cast<int>(code), worst_first[std::min(first, second)]);
         }
     }
 }

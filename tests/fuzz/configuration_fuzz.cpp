@@ -15,7 +15,7 @@ using namespace reliefbench;
 /// Between the file and each override.
 constexpr std::string_view override_start = "\n-a ";
 /// More cells take long and show nothing new.
-constexpr double most_cells = 500;
+constexpr double max_cells = 500;
 
 std::vector<Manifest> shipped_techniques() {
     const std::filesystem::path root = RELIEFBENCH_SOURCE_DIR;
@@ -49,7 +49,7 @@ void read(std::string_view text) {
         parse_configuration(parse_json(text, "fuzz.json"), "fuzz.json", overrides, techniques);
     const Json again = parse_json(configuration.expanded.dump(), "run.json");
     fuzz_require(parse_configuration(again, "run.json", {}, techniques).expanded == configuration.expanded);
-    if (count_cells(plan_sweep(configuration, techniques)) <= most_cells) expand(configuration, techniques);
+    if (count_cells(plan_sweep(configuration, techniques)) <= max_cells) expand(configuration, techniques);
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ TEST_F(FailedPreparation, OneThatFailedIsNotTriedAgain) {
 
 TEST_F(FailedPreparation, WhatCrashedTooOftenIsKnownToFail) {
     const FailedPreparations failed =
-        crashed_preparations({{"often", std::vector<std::string>(most_crashes, "signal 11")}, {"once", {"signal 11"}}});
+        crashed_preparations({{"often", std::vector<std::string>(max_crashes, "signal 11")}, {"once", {"signal 11"}}});
     ASSERT_NE(failed.find("often"), nullptr);
     EXPECT_FALSE(failed.find("often")->given_up);
     EXPECT_THAT(failed.find("often")->reason, HasSubstr("signal 11"));

@@ -256,7 +256,7 @@ TEST(Rounds, WhenThrottlingDoesNotEndItCountsAndIsSaid) {
     fixture.subjects = {&fixture.a};
     fixture.throttled.assign(1000, true);
     const std::vector<SampledSubject> samples = fixture.sample(*make_fixed_rule(3), 1);
-    EXPECT_EQ(fixture.visits.size(), most_throttled_repeats + 3);
+    EXPECT_EQ(fixture.visits.size(), max_throttled_repeats + 3);
     EXPECT_EQ(samples[0].samples.at("draw").size(), 3U);
     EXPECT_EQ(samples[0].throttled_rounds, 3U);
 }

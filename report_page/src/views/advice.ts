@@ -32,8 +32,8 @@ import {
 } from "./advice_words.ts";
 import { LimitFields } from "./limits.ts";
 
-const mostGroups = 24;
-const mostNamed = 3;
+const maxGroups = 24;
+const maxNamed = 3;
 
 interface Group {
   title: string;
@@ -137,11 +137,11 @@ export function adviceView(app: App): View {
       const words = cautionWords(app, errorMetric, [...errors, ...costs]);
       caution.hidden = words.length === 0;
       fill(caution, warning(words.join(" ")));
-      fill(answers, ...groups.slice(0, mostGroups).map((group) => answerElement(app, group, question)));
+      fill(answers, ...groups.slice(0, maxGroups).map((group) => answerElement(app, group, question)));
       fill(
         more,
-        groups.length > mostGroups
-          ? `Showing ${mostGroups} of ${counted(groups.length, "answer")}: filter to see the others.`
+        groups.length > maxGroups
+          ? `Showing ${maxGroups} of ${counted(groups.length, "answer")}: filter to see the others.`
           : null,
       );
     },
@@ -322,7 +322,7 @@ function listed(elements: HTMLElement[]): (HTMLElement | string)[] {
 
 function asGoodElement(app: App, asGood: Candidate[], { cost, error }: Question): HTMLElement {
   const named = asGood
-    .slice(0, mostNamed)
+    .slice(0, maxNamed)
     .map((point) =>
       h("span", {}, pinnable(app, point), ` (${metricText(error, point.error)}, ${metricText(cost, point.cost)})`),
     );

@@ -27,11 +27,11 @@ import { figureScale, linearTicks, logRange, logTicks, tickText } from "../scale
 import { type Abscissa, abscissas, type Line, type LinePoint, lines, mixesViews, sweptTitle } from "../series.ts";
 import { besideTable } from "./beside_table.ts";
 
-const mostLines = 150;
-const mostLinesWithIntervals = 40;
-const mostNamedLines = 40;
+const maxLines = 150;
+const maxLinesWithIntervals = 40;
+const maxNamedLines = 40;
 /** Of an axis, each with its number below the chart. */
-const mostNamedValues = 10;
+const maxNamedValues = 10;
 
 interface Swept {
   id: string;
@@ -103,7 +103,7 @@ export function axesView(app: App): View {
       fill(legend);
       if (swept.abscissa !== null) {
         const found = lines(cells, app.measured(), swept.abscissa, costMetric, errorMetric);
-        const drawn = found.slice(0, mostLines);
+        const drawn = found.slice(0, maxLines);
         const { abscissa } = swept;
         costChart.show(() => lineOption(app, drawn, abscissa, costMetric, (point) => point.cost));
         errorChart.show(() => lineOption(app, drawn, abscissa, errorMetric, (point) => point.error));
@@ -122,7 +122,7 @@ function legendItems(app: App, drawn: readonly Line[]): HTMLElement[] {
   const several = new Set(drawn.filter((line) => line.ofTechnique > 0).map((line) => line.technique));
   const named = drawn.filter((line) => several.has(line.technique)).sort(byTechnique);
   const items = named
-    .slice(0, mostNamedLines)
+    .slice(0, maxNamedLines)
     .map((line) =>
       h(
         "li",
@@ -140,14 +140,14 @@ const byTechnique = (a: Line, b: Line) =>
 
 function notes(app: App, found: Line[], x: Abscissa): string[] {
   const texts: string[] = [];
-  if (found.length > mostLines)
-    texts.push(`Showing ${mostLines} of ${counted(found.length, "line")}: filter to see the others.`);
+  if (found.length > maxLines)
+    texts.push(`Showing ${maxLines} of ${counted(found.length, "line")}: filter to see the others.`);
   if (found.some((line) => line.points.some((point) => point.cells.length > 1))) {
     texts.push("Points of several cells are means: geometric of the cost, arithmetic of the error.");
   }
   if (
     found.some((line) => line.points.some((point) => point.cells.length === 1)) &&
-    found.length <= mostLinesWithIntervals
+    found.length <= maxLinesWithIntervals
   )
     texts.push("Bars: the 95 % interval of a single cell's time; means have none.");
   if (mixesViews(app.run().cells, found, x)) {
@@ -167,7 +167,7 @@ function lineOption(
 ): Option {
   const ink = currentInk();
   const points = all.flatMap((line) => line.points);
-  const withIntervals = all.length <= mostLinesWithIntervals;
+  const withIntervals = all.length <= maxLinesWithIntervals;
   const ends = withIntervals ? points.flatMap((point) => intervalOfPoint(app, point, metric) ?? []) : [];
   const y = figureScale([...points.map(of).filter((value): value is number => value !== null), ...ends], metric.better);
   const shownX = points.filter((point) => of(point) !== null).map((point) => point.x);
@@ -211,7 +211,7 @@ function lineOption(
 /** The values themselves where they are few, else round numbers. */
 function abscissaTicks(x: Abscissa, values: readonly number[], from: number, to: number): number[] {
   const distinct = [...new Set(values)].filter((value) => value >= from && value <= to);
-  if (x.id !== "steps" && distinct.length >= 2 && distinct.length <= mostNamedValues) return distinct;
+  if (x.id !== "steps" && distinct.length >= 2 && distinct.length <= maxNamedValues) return distinct;
   return x.scale === "log" ? logTicks(from, to) : linearTicks(from, to);
 }
 

@@ -9,9 +9,9 @@ import { advantage, bareText, type Metric, metricTitle } from "../metrics.ts";
 import { arithmeticMean, counted, geometricMean, significant } from "../numbers.ts";
 import { lineName } from "../series.ts";
 
-const mostRows = 100;
+const maxRows = 100;
 /** With more values settings take several lines. */
-const mostWithWideSettings = 3;
+const maxWithWideSettings = 3;
 
 /** Of the first value in the row that was measured: what the others' costs are multiples of. */
 function ratioTo(app: App, metric: Metric, from: number, cell: number): number | null {
@@ -70,7 +70,7 @@ export function besideTable(app: App, beside: Beside, title: string, cost: Metri
   );
   return h(
     "div",
-    { class: `beside${beside.columns.length > mostWithWideSettings ? " tight" : ""}` },
+    { class: `beside${beside.columns.length > maxWithWideSettings ? " tight" : ""}` },
     h("h3", {}, `Values of ${title} beside each other`),
     h(
       "div",
@@ -97,7 +97,7 @@ export function besideTable(app: App, beside: Beside, title: string, cost: Metri
           "tbody",
           {},
           ...beside.rows
-            .slice(0, mostRows)
+            .slice(0, maxRows)
             .map((row) =>
               h(
                 "tr",
@@ -142,7 +142,7 @@ function notes(beside: Beside, error: Metric): string[] {
   if (beside.id.startsWith("axis.") && !beside.sameHits) {
     texts.push("The axis moves the hits of the truth, too: errors at its values are of different views.");
   }
-  if (beside.rows.length > mostRows)
-    texts.push(`Showing ${mostRows} of ${beside.rows.length} rows: filter to see the others.`);
+  if (beside.rows.length > maxRows)
+    texts.push(`Showing ${maxRows} of ${beside.rows.length} rows: filter to see the others.`);
   return texts;
 }

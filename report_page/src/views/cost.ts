@@ -38,9 +38,9 @@ import { settingPoints } from "../settings.ts";
 import type { PointsMode } from "../state.ts";
 import { chartOption, manyMarks, type Mark, type Panel, panelLayout } from "./cost_chart.ts";
 
-const mostPanels = 12;
+const maxPanels = 12;
 /** So many views are told apart by panels of their own, unless something else is chosen. */
-const mostViewsByDefault = 6;
+const maxViewsByDefault = 6;
 
 function facetOf(app: App): string {
   const { cells } = app.run();
@@ -48,7 +48,7 @@ function facetOf(app: App): string {
   if (facet === "none" || facet === "view" || axisColumn(cells, facet) !== undefined) return facet;
   const views = new Set(app.measured().map((cell) => viewOf(cells.id[cell]!)));
   if (views.size <= 1) return "none";
-  if (views.size <= mostViewsByDefault) return "view";
+  if (views.size <= maxViewsByDefault) return "view";
   return (axisColumn(cells, "view_angle")?.values.length ?? 0) > 1 ? "view_angle" : "none";
 }
 
@@ -157,7 +157,7 @@ export function costView(app: App): View {
       fill(disturbed, disturbedWarning(app, costMetric));
       const all = panelCells(app, facetOf(app));
       const panels = all
-        .slice(0, mostPanels)
+        .slice(0, maxPanels)
         .map(([title, members]) => makePanel(app, title, members, costMetric, errorMetric));
       chart.element.hidden = panels.length === 0;
       chart.show((width) => {

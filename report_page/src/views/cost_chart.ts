@@ -31,11 +31,11 @@ export interface Panel {
 export const manyMarks = 1500;
 
 /** Pixels that a panel needs across. */
-const leastPanelWidth = 230;
+const minPanelWidth = 230;
 
 export function panelLayout(count: number, chartWidth: number): { columns: number; rows: number } {
   const wanted = count <= 3 ? Math.max(1, count) : count === 4 ? 2 : count <= 6 ? 3 : 4;
-  const columns = Math.min(wanted, Math.max(1, Math.floor(chartWidth / leastPanelWidth)));
+  const columns = Math.min(wanted, Math.max(1, Math.floor(chartWidth / minPanelWidth)));
   return { columns, rows: Math.ceil(count / columns) };
 }
 

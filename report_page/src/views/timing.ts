@@ -135,15 +135,15 @@ function passTable(app: App, cell: number): HTMLElement {
 }
 
 /** Quartiles of fewer samples say no more than the samples. */
-const fewestForBox = 5;
+const minForBox = 5;
 
 /** What is drawn of groups with so many samples. */
 function drawnText(groups: readonly Group[]): string {
-  const boxed = groups.filter((group) => group.samples >= fewestForBox).length;
+  const boxed = groups.filter((group) => group.samples >= minForBox).length;
   const box = "Boxes: quartiles; whiskers: least and greatest";
   const line = "Dots: the median; lines: least to greatest";
   if (boxed === groups.length) return `${box}.`;
-  return boxed === 0 ? `${line}.` : `${box}. Of fewer than ${fewestForBox} samples: ${line.toLowerCase()}.`;
+  return boxed === 0 ? `${line}.` : `${box}. Of fewer than ${minForBox} samples: ${line.toLowerCase()}.`;
 }
 
 /** A chart over rounds for each pass that was sampled in rounds, and one for all that were before them. */
@@ -198,7 +198,7 @@ function boxOption(
   const ink = currentInk();
   const [least, greatest] = extent([...groups.flatMap((group) => group.ms), ...levels]);
   const room = 0.08 * (greatest - least) || 0.08 * greatest || 1;
-  const few = groups.map((group) => group.samples < fewestForBox);
+  const few = groups.map((group) => group.samples < minForBox);
   return {
     grid: { left: ink.size * 5, right: ink.size * 2, top: ink.size, bottom: ink.size * 3.6 },
     xAxis: [
@@ -289,7 +289,7 @@ function roundsOption(app: App, pass: Pass, cell: number): Option {
 
 function groupTooltip(title: string, group: Group): HTMLElement {
   const names = ["least", "lower quartile", "median", "upper quartile", "greatest"];
-  const shown = names.flatMap((name, at) => (group.samples < fewestForBox && at % 2 === 1 ? [] : [{ name, at }]));
+  const shown = names.flatMap((name, at) => (group.samples < minForBox && at % 2 === 1 ? [] : [{ name, at }]));
   return h(
     "div",
     { class: "tip" },
