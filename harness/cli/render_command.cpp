@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace reliefbench {
@@ -95,17 +96,18 @@ struct DrawnToFile {
     bool is_compared = false;
 };
 
-DrawnToFile draw_to_file(const std::filesystem::path& path, const Cell& cell, const Drawing& drawing) {
-    drawing.laboratory.keep_only({cell.view});
-    PreparedCell prepared = drawing.laboratory.make_ready(cell, drawing.callbacks);
+DrawnToFile draw_to_file(const std::filesystem::path& path, const Cell& cell, PreparedCell prepared,
+                         const Drawing& drawing) {
     DrawnToFile made{.result = std::move(prepared.result)};
     if (!prepared.probe) return made;
-    made.is_written = fits_in_memory([&] {
-        const DrawnCell drawn = drawing.laboratory.beside_truth(cell, *prepared.probe);
-        write_cell(path, drawing.kind, drawing.shown, drawn);
-    });
+    std::optional<DrawnCell> drawn;
+    std::string failure = failure_of([&] { drawn.emplace(drawing.laboratory.beside_truth(cell, *prepared.probe)); });
+    if (failure.empty()) {
+        made.is_written = fits_in_memory([&] { write_cell(path, drawing.kind, drawing.shown, *drawn); });
+        if (!made.is_written) failure = memory_used_up;
+    }
     made.is_compared = made.is_written && prepared.is_compared;
-    if (!made.is_written) made.result = ended_result(cell, CellStatus::failed, memory_used_up);
+    if (!failure.empty()) made.result = ended_result(cell, CellStatus::failed, failure);
     return made;
 }
 
@@ -127,16 +129,19 @@ ExitCode draw_frames(const RenderOptions& options, const std::vector<Cell>& cell
     ExitCode code = ExitCode::done;
     for (std::size_t frame = 0; frame < cells.size(); ++frame) {
         const std::filesystem::path path = frame_path(options.output, frame, cells.size());
-        const DrawnToFile made = draw_to_file(path, cells[frame], drawing);
-        if (made.is_written)
-            fmt::print(stderr, "[{}/{}] {}: {}\n", frame + 1, cells.size(), path.string(), cells[frame].id);
+        const Cell& cell = cells[frame];
+        drawing.laboratory.keep_only({cell.view});
+        const DrawnToFile made =
+            draw_to_file(path, cell, drawing.laboratory.make_picture(cell, drawing.callbacks), drawing);
+        if (made.is_written) fmt::print(stderr, "[{}/{}] {}: {}\n", frame + 1, cells.size(), path.string(), cell.id);
         code = worse_of(code, report_ending(made.result));
     }
     return code;
 }
 
 ExitCode draw_cell(const RenderOptions& options, const Cell& cell, const Drawing& drawing) {
-    const DrawnToFile made = draw_to_file(options.output, cell, drawing);
+    const DrawnToFile made =
+        draw_to_file(options.output, cell, drawing.laboratory.make_ready(cell, drawing.callbacks), drawing);
     if (made.is_compared) print_figures(made.result);
     if (made.is_written && !is_standard_output(options.output)) fmt::print(stderr, "wrote {}\n", options.output);
     return report_ending(made.result);

@@ -4,6 +4,7 @@
 #include "core/log.hpp"
 #include "store/run_folder.hpp"
 #include "store/stored_format.hpp"
+#include "sweep/override.hpp"
 #include "sweep/override_effects.hpp"
 #include "sweep/recorded_defaults.hpp"
 
@@ -54,23 +55,40 @@ std::vector<std::string> absolute_paths(const std::vector<std::string>& director
     return paths;
 }
 
-/// Of the run whose run.json this is; cells tell where the record does not.
+std::vector<std::string> overridden_names(const std::vector<std::string>& arguments) {
+    std::vector<std::string> names;
+    for (const std::string& argument : arguments)
+        names.push_back(parse_override(argument).name);
+    return names;
+}
+
+/// Of the run whose run.json this is: what it records, else what the cells beside it show. A record that came by a pipe
+/// has no cells beside it.
 Json recorded_defaults(const Json& record, const std::filesystem::path& file) {
     Run run{.run = record, .cells = {}};
     std::error_code ignored;
-    const std::filesystem::path folder = file.parent_path();
-    if (!record.contains("defaults") && std::filesystem::exists(folder / "cells.jsonl", ignored))
-        run = read_run(folder);
+    const bool has_folder = file.filename() == "run.json" && std::filesystem::is_regular_file(file, ignored);
+    if (!record.contains("defaults") && has_folder) run.cells = read_first_cells(file.parent_path());
     return defaults_of(run);
 }
 
-void repeat_with_defaults_of_then(Json& record, const std::filesystem::path& file,
-                                  const std::vector<Manifest>& manifests) {
-    RepeatedConfiguration repeated =
-        with_recorded_defaults(record.at("configuration"), recorded_defaults(record, file), manifests);
-    record["configuration"] = std::move(repeated.configuration);
-    for (const std::string& change : repeated.changes)
-        log_warning("{}: repeated as it was run, with {}", file.string(), change);
+/// Of techniques that have a cell.
+void report_changed_defaults(const RepeatedConfiguration& repeated, const std::vector<Cell>& cells,
+                             const std::string& file) {
+    const auto has_cell = [&cells](const std::string& technique) {
+        return technique.empty() ||
+               std::ranges::any_of(cells, [&](const Cell& cell) { return cell.technique == technique; });
+    };
+    for (const ChangedDefault& change : repeated.changes) {
+        if (has_cell(change.technique)) log_warning("{}: repeated as it was run, with {}", file, change.text);
+    }
+    for (const std::string& technique : repeated.unknown) {
+        if (!has_cell(technique)) continue;
+        log_warning(
+            "{}: what the parameters of {} were by default is neither recorded nor to be seen in its cells; they "
+            "are what they are by default now",
+            file, technique);
+    }
 }
 
 /// Warns of technique folders that cannot be used. One that the configuration names is an Error.
@@ -112,10 +130,16 @@ RunSources read_run_sources(const ConfigurationText& text, const CellChoice& cho
     }
     report_broken_techniques(sources.library, named);
     const std::vector<Manifest> manifests = sources.library.manifests();
-    if (is_record) repeat_with_defaults_of_then(file, text.file, manifests);
+    RepeatedConfiguration repeated;
+    if (is_record) {
+        repeated = with_recorded_defaults(file.at("configuration"), recorded_defaults(file, text.file), manifests,
+                                          overridden_names(choice.axes));
+        file["configuration"] = std::move(repeated.configuration);
+    }
     sources.configuration = parse_configuration(file, text.file, choice.axes, manifests);
     sources.cells = filter_cells(expand(sources.configuration, manifests), sources.filters, manifests);
     warn_of_overrides(sources.configuration, sources.cells, manifests);
+    report_changed_defaults(repeated, sources.cells, text.file);
     return sources;
 }
 

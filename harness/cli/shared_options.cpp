@@ -73,11 +73,12 @@ void DeviceChoice::add_to(CLI::App& command) {
                      "Turn the Vulkan validation layer on; one message makes the command fail");
 }
 
-void PreparationOptions::add_to(CLI::App& command) {
+void PreparationOptions::add_to(CLI::App& command, const std::string& otherwise) {
     command
         .add_option("--preparation-limit", limit_s,
                     "Skip what would take longer to prepare than so many seconds on the device; "
-                    "default: the configuration's preparation.limit_s, else 60")
+                    "default: " +
+                        otherwise)
         ->check([](const std::string& text) {
             const std::optional<double> seconds = whole_text_as<double>(text);
             return seconds && *seconds >= 0 ? "" : fmt::format("expected a number of at least 0, found '{}'", text);

@@ -56,7 +56,8 @@ struct DeviceChoice {
 struct PreparationOptions {
     std::optional<double> limit_s;
 
-    void add_to(CLI::App& command);
+    /// `otherwise`: the limit where none is given, in words.
+    void add_to(CLI::App& command, const std::string& otherwise = "the configuration's preparation.limit_s, else 60");
 };
 
 /// Says every message of the validation layer; one of them makes the command fail.

@@ -82,9 +82,9 @@ ExitCode verify(const VerifyOptions& options) {
         }
     }
     for (const Technique& technique : selected) {
-        verify_technique(
-            device, technique, [&](const Check& check) { count_check(check, &technique); },
-            {.limit_s = options.preparation.limit_s.value_or(PreparationLimit{}.limit_s), .cache = map_cache_folder()});
+        verify_technique(device, technique, [&](const Check& check) { count_check(check, &technique); },
+                         {.limit_s = options.preparation.limit_s.value_or(PreparationSettings{}.limit_s),
+                          .cache = map_cache_folder()});
     }
     print_results(fmt::format("{} of {} passed on {}{}\n", passed, counted(passed + failed, "check"),
                               device.info().name, skipped > 0 ? fmt::format(", {} skipped", skipped) : ""));
@@ -100,7 +100,7 @@ void add_verify_command(CLI::App& app, ChosenCommand& chosen) {
         ->type_name("ID");
     options->library.add_to(*command);
     options->device.add_to(*command);
-    options->preparation.add_to(*command);
+    options->preparation.add_to(*command, "none");
     command->footer(
         "Exit code 0 when every check passes, 4 when one fails. What a run would skip or call failed is so here, with "
         "the\n"

@@ -38,6 +38,14 @@ Laboratory::Laboratory(const TechniqueLibrary& library, const Configuration& con
     : library_(library), configuration_(configuration), inputs_(inputs), maps_(std::move(maps)) {}
 
 PreparedCell Laboratory::make_ready(const Cell& cell, const LaboratoryCallbacks& callbacks) {
+    return make(cell, callbacks, Wanted::figures);
+}
+
+PreparedCell Laboratory::make_picture(const Cell& cell, const LaboratoryCallbacks& callbacks) {
+    return make(cell, callbacks, Wanted::picture);
+}
+
+PreparedCell Laboratory::make(const Cell& cell, const LaboratoryCallbacks& callbacks, Wanted wanted) {
     const SamplingSettings& sampling = configuration_.sampling;
     const MapTiming timing{.max_samples = std::max(1, sampling.rounds * sampling.samples_per_visit),
                            .limit_s = configuration_.preparation.limit_s,
@@ -45,7 +53,7 @@ PreparedCell Laboratory::make_ready(const Cell& cell, const LaboratoryCallbacks&
     PreparedCell prepared;
     const std::string failure = failure_of([&] {
         prepare(cell, callbacks, timing, prepared);
-        if (prepared.renderer) measure(cell, callbacks, prepared);
+        if (prepared.renderer) measure(cell, callbacks, wanted, prepared);
     });
     if (failure.empty()) return prepared;
     return {.result = ended_result(cell, CellStatus::failed, failure)};
@@ -120,7 +128,8 @@ std::string Laboratory::refusal(const Technique& technique, const Cell& cell) co
 }
 
 /// Draws the cell once, judges what it drew, and adds its figures.
-void Laboratory::measure(const Cell& cell, const LaboratoryCallbacks& callbacks, PreparedCell& prepared) {
+void Laboratory::measure(const Cell& cell, const LaboratoryCallbacks& callbacks, Wanted wanted,
+                         PreparedCell& prepared) {
     if (callbacks.on_stage) callbacks.on_stage("drawing it once, counted");
     prepared.probe = prepared.renderer->probe();
     CellResult& result = prepared.result;
@@ -131,6 +140,7 @@ void Laboratory::measure(const Cell& cell, const LaboratoryCallbacks& callbacks,
         prepared.preparation = {};
         return;
     }
+    if (wanted == Wanted::picture) return;
     for (const auto& [pass, samples] : prepared.preparation.pass_ms) {
         // Each run is a submission of its own.
         std::vector<std::vector<double>> runs;

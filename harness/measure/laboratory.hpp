@@ -66,6 +66,9 @@ public:
     /// before are not tried again.
     PreparedCell make_ready(const Cell& cell, const LaboratoryCallbacks& callbacks = {});
 
+    /// The same for its picture alone, which is not compared with its truth and gets no figures.
+    PreparedCell make_picture(const Cell& cell, const LaboratoryCallbacks& callbacks = {});
+
     /// A cell that was made ready before, whose renderer has been freed since: compiled and prepared anew, for its
     /// draw's time. It has no figures, and no limit to its preparation, which has shown that it stays below.
     PreparedCell make_ready_again(const Cell& cell);
@@ -82,11 +85,15 @@ public:
 private:
     struct MapTiming;
 
+    /// What the draw is made ready for.
+    enum class Wanted { figures, picture };
+
+    PreparedCell make(const Cell& cell, const LaboratoryCallbacks& callbacks, Wanted wanted);
     void prepare(const Cell& cell, const LaboratoryCallbacks& callbacks, const MapTiming& timing,
                  PreparedCell& prepared);
     Preparation prepare_maps(Renderer& renderer, const LaboratoryCallbacks& callbacks, const MapTiming& timing);
     std::string refusal(const Technique& technique, const Cell& cell) const;
-    void measure(const Cell& cell, const LaboratoryCallbacks& callbacks, PreparedCell& prepared);
+    void measure(const Cell& cell, const LaboratoryCallbacks& callbacks, Wanted wanted, PreparedCell& prepared);
     void compare(const Cell& cell, const LaboratoryCallbacks& callbacks, PreparedCell& prepared);
 
     const TechniqueLibrary& library_;

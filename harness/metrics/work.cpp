@@ -40,14 +40,12 @@ std::optional<WorkSummary> summarize_work(const Image<std::uint8_t>& covered, co
     std::vector<double> texels;
     std::vector<double> steps;
     std::vector<double> of_shadows;
-    std::size_t unconverged = 0;
     for (std::size_t pixel = 0; pixel < covered.texels.size(); ++pixel) {
         if (covered.texels[pixel] == 0) continue;
         const PixelWork& of_pixel = work.texels[pixel];
         taps.push_back(of_pixel.taps);
         texels.push_back(of_pixel.texels);
         steps.push_back(of_pixel.steps);
-        unconverged += of_pixel.unconverged > 0 ? 1 : 0;
         if (shadow_taps != nullptr) of_shadows.push_back(shadow_taps->texels[pixel]);
     }
     if (taps.empty()) return std::nullopt;
@@ -57,7 +55,7 @@ std::optional<WorkSummary> summarize_work(const Image<std::uint8_t>& covered, co
                         .steps = summarize(steps),
                         .stage_taps = stages.taps / pixels,
                         .stage_texels = stages.texels / pixels,
-                        .unconverged = static_cast<double>(unconverged) / pixels,
+                        .unconverged = unconverged_fraction(covered, work),
                         .covered_pixels = taps.size()};
     if (shadow_taps != nullptr) summary.shadow_taps = summarize(of_shadows);
     return summary;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "scene/image.hpp"
+
 #include <cstdint>
 
 namespace reliefbench {
@@ -14,5 +16,8 @@ struct PixelWork {
     /// Whether the device ended its loops, or those of a pixel that it runs beside it (gpu/loop_limit.hpp).
     bool cut = false;
 };
+
+/// Of the covered pixels, those with a search that did not converge; 0 where none is covered.
+double unconverged_fraction(const Image<std::uint8_t>& covered, const Image<PixelWork>& work);
 
 }  // namespace reliefbench

@@ -2,6 +2,7 @@
 
 #include "core/counted.hpp"
 #include "core/error.hpp"
+#include "core/json_lookup.hpp"
 #include "core/suggest.hpp"
 #include "store/resume.hpp"
 
@@ -69,6 +70,14 @@ void add_techniques(Json& all, const NamedRun& run) {
         }
         all[id] = hash;
     }
+}
+
+/// As each shard records the defaults of its own techniques.
+void add_defaults(Json& all, const NamedRun& run) {
+    const Json parameters = value_at(run.run.run, {"defaults", "parameters"});
+    if (!parameters.is_object()) return;
+    for (const auto& [technique, values] : parameters.items())
+        all["defaults"]["parameters"][technique] = values;
 }
 
 void require_same_run(const NamedRun& first, const NamedRun& other) {
@@ -155,6 +164,7 @@ MergedRun merge_runs(std::vector<NamedRun> shards, std::span<const PlannedCell> 
         seen.add_shard(shard, run.name);
         add_height_maps(height_maps, run);
         add_techniques(techniques, run);
+        add_defaults(merged.run.run, run);
         merged.run.run["merged"].push_back(part_record(run));
         for (CellResult& cell : run.run.cells) {
             seen.add_cell(cell.cell, run.name);

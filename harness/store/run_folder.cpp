@@ -292,4 +292,18 @@ Run read_run(const std::filesystem::path& folder) {
     return run;
 }
 
+std::vector<CellResult> read_first_cells(const std::filesystem::path& folder) {
+    std::vector<CellResult> cells;
+    try {
+        const Json record = read_run_record(folder);
+        const auto figures = figures_of_record(record, (folder / run_file).string());
+        std::ifstream file(folder / cells_file, std::ios::binary);
+        for (std::string line; std::getline(file, line);)
+            cells.push_back(parse_cell_result(parse_json(line, cells_file), cells_file, figures));
+    } catch (const Error&) {
+        // What was read before it counts.
+    }
+    return cells;
+}
+
 }  // namespace reliefbench

@@ -95,6 +95,9 @@ struct Run {
 /// Strict: a line that is cut short, is no cell result or repeats a cell is an Error.
 Run read_run(const std::filesystem::path& folder);
 
+/// Of a run that may be interrupted or damaged: those up to the first line that cannot be read.
+std::vector<CellResult> read_first_cells(const std::filesystem::path& folder);
+
 /// The cells of a cells.jsonl; `file` is for messages.
 std::vector<CellResult> parse_cells(std::istream& lines, const std::string& file,
                                     const std::shared_ptr<const FigureList>& figures = declared_figures());

@@ -7,46 +7,61 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace reliefbench {
 
 namespace {
 
-/// Whether the axes or the selection of the technique say what the parameter is.
-bool is_set(const Manifest& manifest, const std::string& parameter, const Json& selection, const Json& axes) {
-    const bool counted = manifest.sample_count == parameter || manifest.sample_count_minimum == parameter;
-    return value_at(selection, {"parameters", parameter.c_str()}) != nullptr || axes.contains(parameter) ||
-           (counted && axes.contains("sample_count"));
-}
+/// What of a configuration says what a parameter or an axis is.
+class SetNames {
+public:
+    SetNames(const Json& axes, const std::vector<std::string>& overridden)
+        : names_(overridden.begin(), overridden.end()) {
+        for (const auto& [name, values] : axes.items())
+            names_.insert(name);
+    }
 
-void set_parameters(Json& selection, const Json& axes, const Json& recorded, const Manifest& manifest,
-                    std::vector<std::string>& changes) {
+    bool has_axis(const std::string& name) const { return names_.contains(name); }
+    bool has_parameter(const Manifest& manifest, const std::string& name, const Json& selection) const {
+        const bool is_counted = manifest.sample_count == name || manifest.sample_count_minimum == name;
+        return value_at(selection, {"parameters", name.c_str()}) != nullptr || has_axis(name) ||
+               (is_counted && has_axis("sample_count"));
+    }
+
+private:
+    std::set<std::string> names_;
+};
+
+void set_parameters(Json& selection, const SetNames& set, const Json& recorded, const Manifest& manifest,
+                    std::vector<ChangedDefault>& changes) {
     for (const Parameter& parameter : manifest.parameters) {
         const Json then = value_at(recorded, {parameter.name.c_str()});
         const Json now = to_json(parameter.default_value);
-        if (then.is_null() || then == now || is_set(manifest, parameter.name, selection, axes)) continue;
+        if (then.is_null() || then == now || set.has_parameter(manifest, parameter.name, selection)) continue;
         selection["parameters"][parameter.name] = then;
-        changes.push_back(fmt::format("{}: {}={}, which is {} by default now", manifest.id, parameter.name,
-                                      scalar_text(then), scalar_text(now)));
+        changes.push_back({manifest.id, fmt::format("{}: {}={}, which is {} by default now", manifest.id,
+                                                    parameter.name, scalar_text(then), scalar_text(now))});
     }
 }
 
-void set_axes(Json& axes, const Json& recorded, std::vector<std::string>& changes) {
+void set_axes(Json& axes, const SetNames& set, const Json& recorded, std::vector<ChangedDefault>& changes) {
     for (const ViewAxis& axis : view_axes()) {
         const Json then = value_at(recorded, {axis.name.c_str()});
-        if (then.is_null() || then == axis.default_value || axes.contains(axis.name)) continue;
+        if (then.is_null() || then == axis.default_value || set.has_axis(axis.name)) continue;
         axes[axis.name] = then;
-        changes.push_back(fmt::format("{}={}, which is {} by default now", axis.name, scalar_text(then),
-                                      scalar_text(axis.default_value)));
+        changes.push_back({"", fmt::format("{}={}, which is {} by default now", axis.name, scalar_text(then),
+                                           scalar_text(axis.default_value))});
     }
 }
 
 }  // namespace
 
 RepeatedConfiguration with_recorded_defaults(Json configuration, const Json& defaults,
-                                             const std::vector<Manifest>& manifests) {
-    RepeatedConfiguration repeated{std::move(configuration), {}};
+                                             const std::vector<Manifest>& manifests,
+                                             const std::vector<std::string>& overridden) {
+    RepeatedConfiguration repeated{.configuration = std::move(configuration), .changes = {}, .unknown = {}};
     if (!repeated.configuration.is_object()) return repeated;
     const auto axes = repeated.configuration.find("axes");
     const auto techniques = repeated.configuration.find("techniques");
@@ -55,14 +70,16 @@ RepeatedConfiguration with_recorded_defaults(Json configuration, const Json& def
         !techniques->is_array()) {
         return repeated;
     }
+    const SetNames set(*axes, overridden);
     for (Json& selection : *techniques) {
-        const auto id = value_at(selection, {"technique"});
+        const Json id = value_at(selection, {"technique"});
         const auto manifest = std::ranges::find_if(manifests, [&](const Manifest& each) { return id == each.id; });
         if (manifest == manifests.end()) continue;
-        set_parameters(selection, *axes, value_at(defaults, {"parameters", manifest->id.c_str()}), *manifest,
-                       repeated.changes);
+        const Json recorded = value_at(defaults, {"parameters", manifest->id.c_str()});
+        if (recorded.is_null() && !manifest->parameters.empty()) repeated.unknown.push_back(manifest->id);
+        set_parameters(selection, set, recorded, *manifest, repeated.changes);
     }
-    set_axes(*axes, value_at(defaults, {"axes"}), repeated.changes);
+    set_axes(*axes, set, value_at(defaults, {"axes"}), repeated.changes);
     return repeated;
 }
 

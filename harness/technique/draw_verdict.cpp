@@ -5,26 +5,12 @@
 
 #include <fmt/format.h>
 
-#include <cstddef>
-
 namespace reliefbench {
 
 namespace {
 
 /// Fraction of covered pixels: a picture with more is not the technique's.
 constexpr double max_unconverged = 0.5;
-
-/// Of the covered pixels; 0 where there is none.
-double unconverged_fraction(const Probe& probe) {
-    std::size_t covered = 0;
-    std::size_t unconverged = 0;
-    for (std::size_t pixel = 0; pixel < probe.covered.texels.size(); ++pixel) {
-        if (probe.covered.texels[pixel] == 0) continue;
-        ++covered;
-        if (probe.work.texels[pixel].unconverged > 0) ++unconverged;
-    }
-    return covered == 0 ? 0 : static_cast<double>(unconverged) / static_cast<double>(covered);
-}
 
 }  // namespace
 
@@ -40,7 +26,7 @@ DrawVerdict judge_draw(const gpu::Device& device, const Manifest& manifest, cons
         return {.reason = fmt::format("{}, so that neither its picture nor its time is the technique's; {}", cut,
                                       advise_shorter_search(manifest, parameters))};
     }
-    const double unconverged = unconverged_fraction(probe);
+    const double unconverged = unconverged_fraction(probe.covered, probe.work);
     if (unconverged <= max_unconverged) return {};
     return {.reason = fmt::format("{:.0f} % of its pixels left their loop at the iteration cap, unconverged, so that "
                                   "its time would say nothing; {}",

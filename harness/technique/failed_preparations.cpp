@@ -25,8 +25,8 @@ Preparation FailedPreparations::prepare(const gpu::Device& device, Renderer& ren
     const std::string failure = failure_of([&] { preparation = prepare(renderer); });
     if (on_maps) on_maps({});
     if (!failure.empty()) {
-        // A lost device says nothing of the maps.
-        if (!device.is_lost()) add(maps, {false, failure});
+        // A lost device, and memory that others have taken, say nothing of the maps.
+        if (!device.is_lost() && failure != memory_used_up) add(maps, {false, failure});
         fail("{}", failure);
     }
     if (!preparation.given_up.empty()) add(maps, {true, preparation.given_up});

@@ -134,6 +134,24 @@ TEST_F(Version010, ARunIsRepeatedFromItsRecordWithTheDefaultsOfThen) {
                       Not(HasSubstr("not comparable"))));
 }
 
+TEST_F(Version010, ADamagedOrPipedRecordIsRepeatedAsFarAsItTells) {
+    std::filesystem::copy(fixture("all"), path("cut"), std::filesystem::copy_options::recursive);
+    std::filesystem::resize_file(path("cut/cells.jsonl"), std::filesystem::file_size(path("cut/cells.jsonl")) - 40);
+    const std::vector<std::string> small{"-a", "technique=steep", "-a", "view_angle=0", "-a", "projection=perspective"};
+    const auto repeat = [&](std::vector<std::string> arguments, const std::string& before) {
+        arguments.insert(arguments.begin(), "run");
+        arguments.insert(arguments.end(), small.begin(), small.end());
+        return reliefbench(arguments, before);
+    };
+    EXPECT_THAT(repeat({path("cut/run.json"), "-o", path("again")}, "").err,
+                HasSubstr("with steep: step_rounding=integer, which is fractional by default now"));
+    const Outcome piped = repeat({"-", "-o", path("piped")}, "cat " + fixture("all/run.json") + " |");
+    EXPECT_EQ(piped.code, 0) << piped.err;
+    EXPECT_THAT(piped.err, AllOf(HasSubstr("what the parameters of steep were by default is neither recorded nor to be "
+                                           "seen in its cells"),
+                                 Not(HasSubstr("parameters of pom"))));
+}
+
 /// Since then a default changed (step_rounding) and axes and parameters were added: what is the same is compared
 /// whatever its id says, and what is not is not.
 TEST_F(Version010, ARunIsComparedCellByCellWithARunOfToday) {

@@ -20,6 +20,7 @@ NamedRun shard(int index, int count, const std::vector<std::string>& cells) {
     run.run.run = Json::parse(R"({
         "configuration": {"seed": 1}, "filters": [], "shaders": "s",
         "techniques": {"first": "t"},
+        "defaults": {"parameters": {"first": {"steps": 8}}, "axes": {"fov": 45}},
         "height_maps": [{"name": "rock", "format": "r16", "size": [64, 64], "hash": "h"}],
         "device": {"name": "gpu", "type": "discrete GPU", "driver": "d", "driver_version": "1"},
         "environment": {"cpu": "c", "tool_version": "1"}
@@ -42,6 +43,7 @@ TEST(Merge, PutsShardsTogetherAndKeepsEachCellsMachine) {
     NamedRun second = shard(2, 2, {"c"});
     second.run.run["environment"]["cpu"] = "another";
     second.run.run["techniques"] = {{"second", "u"}};
+    second.run.run["defaults"]["parameters"] = {{"second", {{"leaf", "exact"}}}};
     second.run.run["height_maps"][0]["name"] = "bricks";
     const MergedRun merged = merge_runs(std::vector{shard(1, 2, {"a", "b"}), second});
     EXPECT_THAT(merged.missing, IsEmpty());
@@ -50,6 +52,8 @@ TEST(Merge, PutsShardsTogetherAndKeepsEachCellsMachine) {
     const Json& record = merged.run.run;
     EXPECT_FALSE(record.contains("shard"));
     EXPECT_EQ(record.at("techniques"), Json::parse(R"({"first": "t", "second": "u"})"));
+    EXPECT_EQ(record.at("defaults"), Json::parse(R"({"parameters": {"first": {"steps": 8}, "second": {"leaf": "exact"}},
+                                                     "axes": {"fov": 45}})"));
     EXPECT_EQ(record.at("height_maps").size(), 2U);
     EXPECT_EQ(record.at("merged").at(1).at("environment").at("cpu"), "another");
     EXPECT_EQ(record.at("merged").at(1).at("cells"), Json::array({"c"}));

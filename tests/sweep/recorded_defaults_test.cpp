@@ -8,6 +8,7 @@ namespace reliefbench {
 namespace {
 
 using testing::ElementsAre;
+using testing::FieldsAre;
 using testing::IsEmpty;
 
 Json defaults_of_then(const std::string& parameters, const std::string& axes = "{}") {
@@ -35,8 +36,9 @@ TEST(RecordedDefaults, ThatChangedAreWrittenOutAndReported) {
         "techniques": [{"technique": "march", "parameters": {"adaptive": true}},
                        {"technique": "tree", "parameters": {"leaf": ["exact"]}}],
         "axes": {"heightmap": "a", "fov": 60}})"));
-    EXPECT_THAT(then.changes, ElementsAre("march: adaptive=true, which is false by default now",
-                                          "fov=60, which is 45 by default now"));
+    EXPECT_THAT(then.changes, ElementsAre(FieldsAre("march", "march: adaptive=true, which is false by default now"),
+                                          FieldsAre("", "fov=60, which is 45 by default now")));
+    EXPECT_THAT(then.unknown, IsEmpty());
 }
 
 TEST(RecordedDefaults, OfWhatAnAxisSetsDoNotCount) {
@@ -45,6 +47,20 @@ TEST(RecordedDefaults, OfWhatAnAxisSetsDoNotCount) {
         defaults_of_then(
             R"({"march": {"max_steps": 16, "min_steps": 2}, "tree": {"leaf": "linear", "max_steps": 1}})"));
     EXPECT_THAT(swept.changes, IsEmpty());
+}
+
+TEST(RecordedDefaults, OfWhatTheCommandLineSetsDoNotCount) {
+    const RepeatedConfiguration set = with_recorded_defaults(
+        Json::parse(R"({"techniques": [{"technique": "march"}], "axes": {}})"),
+        defaults_of_then(R"({"march": {"adaptive": true}})", R"({"fov": 60})"), fake_techniques(), {"adaptive", "fov"});
+    EXPECT_THAT(set.changes, IsEmpty());
+}
+
+TEST(RecordedDefaults, ThatNobodyKnowsAreSaidToBe) {
+    const RepeatedConfiguration then = repeated(
+        R"({"techniques": [{"technique": "march"}, {"technique": "plain"}, {"technique": "tree"}], "axes": {}})",
+        defaults_of_then(R"({"tree": {"max_steps": 64}})"));
+    EXPECT_THAT(then.unknown, ElementsAre("march")) << "plain has no parameter";
 }
 
 TEST(RecordedDefaults, OfAConfigurationThatIsNoneAreLeftToItsReader) {
