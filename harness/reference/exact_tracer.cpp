@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <variant>
 
 namespace reliefbench {
 namespace {
@@ -272,10 +271,7 @@ double first_crossing(const HeightMap& map, const MaximumMipChain& maxima, const
 }  // namespace
 
 ExactTracer::ExactTracer(const HeightMap& map, const Relief& relief)
-    : map_(&map),
-      relief_(relief),
-      plane_(std::visit([](const Plane& plane) { return plane; }, relief.base.kind)),
-      maxima_(map) {
+    : map_(&map), relief_(relief), plane_(flat_base(relief.base)), maxima_(map) {
     assert(relief.height_scale > 0 && relief.tiling > 0);
 }
 

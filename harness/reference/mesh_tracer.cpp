@@ -16,7 +16,6 @@
 #include <span>
 #include <string>
 #include <type_traits>
-#include <variant>
 #include <vector>
 
 namespace reliefbench {
@@ -133,7 +132,7 @@ MeshTracer::MeshTracer(const HeightMap& map, const View& view, int subdivision, 
     : scene_(std::make_unique<Scene>()) {
     scene_->map = &map;
     scene_->relief = view.relief;
-    scene_->plane = std::visit([](const Plane& plane) { return plane; }, view.relief.base.kind);
+    scene_->plane = flat_base(view.relief.base);
     scene_->clip = view.relief.boundary == Boundary::clip;
     const PatchRegion region =
         scene_->clip ? PatchRegion{} : visible_region(scene_->plane, view.camera, view.relief.height_scale);

@@ -2,6 +2,10 @@
 
 namespace reliefbench {
 
+Plane flat_base(const BaseSurface& base) {
+    return std::visit([](const Plane& plane) { return plane; }, base.kind);
+}
+
 glm::dvec3 base_point(const BaseSurface& base, glm::dvec2 uv, double above) {
     return std::visit([&](const auto& one) { return base_point(one, uv, above); }, base.kind);
 }

@@ -9,13 +9,16 @@ namespace reliefbench {
 
 /// What the relief lies on: every base surface there is. P(u, v) over (u, v) ∈ [0, 1]² with the unit normal N(u, v) on
 /// the side that is seen; the relief is S = P + (h − 1)·H·N. Another one gets a file pair beside plane.hpp with the
-/// functions below, and a place in this list; what cannot be asked of every base (a tracer that counts on straight
-/// rays) names the one that it is for, and does not compile for others until it says what of them.
+/// functions below, and a place in this list; whoever counts on straight rays asks for flat_base, which does not
+/// compile for others until it says what of them.
 struct BaseSurface {
     std::variant<Plane> kind;
 
     bool operator==(const BaseSurface&) const = default;
 };
+
+/// The base as a plane: for tracers that count on straight rays.
+Plane flat_base(const BaseSurface& base);
 
 /// P + above·N.
 glm::dvec3 base_point(const BaseSurface& base, glm::dvec2 uv, double above);
