@@ -34,15 +34,19 @@ vk::ClearColorValue background_of(Draw::Kind kind, const std::array<float, 3>& l
     return {.float32 = colour};
 }
 
+vk::Extent2D target_extent(const View& view) {
+    return {static_cast<std::uint32_t>(view.resolution.width), static_cast<std::uint32_t>(view.resolution.height)};
+}
+
 gpu::GraphicsPipelineOptions pipeline_options(const gpu::Device& device, const Technique& technique, Draw::Kind kind,
                                               const DrawSetup& setup) {
     gpu::GraphicsPipelineOptions options{
         .stages = compile_draw(device, technique, setup.parameters,
-                               kind == Draw::Kind::probed ? Variant::probed : Variant::timed, setup.depth_write),
+                               kind == Draw::Kind::probed ? Variant::probed : Variant::timed, setup.view),
         .constants = setup.constants,
         .colour_formats = target_formats(kind),
         .depth_format = depth_format,
-        .extent = setup.extent,
+        .extent = target_extent(setup.view),
         .topology = setup.geometry.topology,
         .cull = setup.geometry.cull,
         .patch_vertices = setup.geometry.patch_vertices};
@@ -56,10 +60,10 @@ gpu::GraphicsPipelineOptions pipeline_options(const gpu::Device& device, const T
 
 Draw::Draw(const gpu::Device& device, const Technique& technique, Kind kind, const DrawSetup& setup)
     : device_(&device),
-      extent_(setup.extent),
+      extent_(target_extent(setup.view)),
       draws_by_(&pipeline_of(technique.manifest)),
       geometry_(setup.geometry),
-      depth_(device, setup.extent, depth_format, 1,
+      depth_(device, extent_, depth_format, 1,
              vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eTransferSrc) {
     for (const vk::Format format : target_formats(kind))
         colours_.emplace_back(device, extent_, format, 1,

@@ -19,12 +19,11 @@ namespace reliefbench {
 
 /// What a draw of a technique needs besides the technique.
 struct DrawSetup {
-    vk::Extent2D extent;
+    View view;
     ParameterValues parameters;
     gpu::SpecializationValues constants;
     std::vector<gpu::Binding> bindings;
     DrawGeometry geometry;
-    DepthWrite depth_write = DepthWrite::on;
     /// Drawn first, into what is timed.
     std::optional<ObjectOnDevice> object = {};
     /// Linear RGB.

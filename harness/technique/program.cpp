@@ -142,6 +142,22 @@ const Stage& stage_of(const std::string& file) {
     return *found;
 }
 
+/// Of driver/self_shadow.glsl.
+gpu::SpecializationValues self_shadow_constants(const SelfShadow& self_shadow) {
+    // What is off leaves its other settings alone: all of them share one pipeline.
+    if (self_shadow.mode == SelfShadow::Mode::off) return {{"self_shadow", self_shadow_method::off}};
+    const bool hard = self_shadow.mode == SelfShadow::Mode::hard;
+    const bool dykhta = self_shadow.soft == SelfShadow::Soft::dykhta;
+    const auto bits = [](double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); };
+    return {{"self_shadow", hard     ? self_shadow_method::hard
+                            : dykhta ? self_shadow_method::dykhta
+                                     : self_shadow_method::tatarchuk},
+            {"self_shadow_bias", bits(hard ? self_shadow.hard_bias : self_shadow.dykhta_bias)},
+            {"self_shadow_min_steps", static_cast<std::uint32_t>(self_shadow.min_steps)},
+            {"self_shadow_max_steps", static_cast<std::uint32_t>(self_shadow.max_steps)},
+            {"self_shadow_softening", bits(self_shadow.softening)}};
+}
+
 }  // namespace
 
 bool indexes_scene(const gpu::Device& device) {
@@ -149,21 +165,20 @@ bool indexes_scene(const gpu::Device& device) {
 }
 
 std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Technique& technique,
-                                             const ParameterValues& parameters, Variant variant,
-                                             DepthWrite depth_write) {
+                                             const ParameterValues& parameters, Variant variant, const View& view) {
     const Manifest& manifest = technique.manifest;
     const bool probed = variant == Variant::probed;
     std::string preamble = declare_contract(manifest) + (probed ? probed_definition : "");
     if (indexes_scene(device)) preamble += "#define RELIEFBENCH_INDEXED_SCENE 1\n";
     // By the name that shared shaders of earlier revisions, with which ab compiles a baseline, know it.
     if (manifest.shadow_search == ShadowSearch::own) preamble += "#define RELIEFBENCH_OWN_MARCH 1\n";
-    if (depth_write != DepthWrite::off) preamble += "#define RELIEFBENCH_WRITE_DEPTH 1\n";
-    if (depth_write == DepthWrite::conservative) preamble += "#define RELIEFBENCH_CONSERVATIVE_DEPTH 1\n";
+    if (view.depth_write != DepthWrite::off) preamble += "#define RELIEFBENCH_WRITE_DEPTH 1\n";
+    if (view.depth_write == DepthWrite::conservative) preamble += "#define RELIEFBENCH_CONSERVATIVE_DEPTH 1\n";
     preamble += declare_parameters(manifest, parameters);
     for (std::size_t i = 0; i < manifest.maps.size(); ++i) {
         if (!manifest.maps[i].scratch) preamble += declare_map(manifest.maps[i], i);
     }
-    std::string key = fmt::format("{} {}{}", probed ? "probed" : "timed", static_cast<int>(depth_write),
+    std::string key = fmt::format("{} {}{}", probed ? "probed" : "timed", static_cast<int>(view.depth_write),
                                   compile_time_key(manifest, parameters));
     const std::string of_pipeline = pipeline_of(manifest).preamble(manifest, parameters);
     preamble += of_pipeline;
@@ -241,19 +256,10 @@ gpu::SpecializationValues parameter_constants(const Manifest& manifest, const Pa
     return constants;
 }
 
-gpu::SpecializationValues self_shadow_constants(const SelfShadow& self_shadow) {
-    // What is off leaves its other settings alone: all of them share one pipeline.
-    if (self_shadow.mode == SelfShadow::Mode::off) return {{"self_shadow", self_shadow_method::off}};
-    const bool hard = self_shadow.mode == SelfShadow::Mode::hard;
-    const bool dykhta = self_shadow.soft == SelfShadow::Soft::dykhta;
-    const auto bits = [](double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); };
-    return {{"self_shadow", hard     ? self_shadow_method::hard
-                            : dykhta ? self_shadow_method::dykhta
-                                     : self_shadow_method::tatarchuk},
-            {"self_shadow_bias", bits(hard ? self_shadow.hard_bias : self_shadow.dykhta_bias)},
-            {"self_shadow_min_steps", static_cast<std::uint32_t>(self_shadow.min_steps)},
-            {"self_shadow_max_steps", static_cast<std::uint32_t>(self_shadow.max_steps)},
-            {"self_shadow_softening", bits(self_shadow.softening)}};
+gpu::SpecializationValues view_constants(const View& view) {
+    gpu::SpecializationValues constants = self_shadow_constants(view.self_shadow);
+    constants["relief_repeats"] = view.relief.boundary == Boundary::repeat ? 1 : 0;
+    return constants;
 }
 
 std::vector<std::size_t> maps_before(const Manifest& manifest, const PassDeclaration& pass) {

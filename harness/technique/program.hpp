@@ -19,10 +19,10 @@ bool indexes_scene(const gpu::Device& device);
 enum class Variant { timed, probed };
 
 /// All stages of a technique's draw, from the device's shader cache where they have been compiled before. What does not
-/// compile is an Error that names technique, file and line. Of the parameters, those of compile time count.
+/// compile is an Error that names technique, file and line. Of the parameters, those of compile time count; of the
+/// view, what its stages are compiled for, which is decided here alone.
 std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Technique& technique,
-                                             const ParameterValues& parameters, Variant variant,
-                                             DepthWrite depth_write);
+                                             const ParameterValues& parameters, Variant variant, const View& view);
 
 /// Probed it does the same work, writes nothing, and tells whether the device ended its loops.
 gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& technique,
@@ -32,8 +32,8 @@ gpu::CompiledStage compile_pass(const gpu::Device& device, const Technique& tech
 /// none.
 gpu::SpecializationValues parameter_constants(const Manifest& manifest, const ParameterValues& values);
 
-/// The specialization constants of harness/shaders/driver/self_shadow.glsl.
-gpu::SpecializationValues self_shadow_constants(const SelfShadow& self_shadow);
+/// The specialization constants that are the view's.
+gpu::SpecializationValues view_constants(const View& view);
 
 /// Maps that a pass may read: those finished by earlier passes. Indices into manifest.maps.
 std::vector<std::size_t> maps_before(const Manifest& manifest, const PassDeclaration& pass);

@@ -110,8 +110,8 @@ struct Renderer::State {
           uniforms(make_uniforms(view)),
           setup(make_setup(view, uniforms)) {
         // Both now, so that a shader that does not compile is known before anything is drawn.
-        compile_draw(device, technique, parameters, Variant::timed, view.depth_write);
-        compile_draw(device, technique, parameters, Variant::probed, view.depth_write);
+        compile_draw(device, technique, parameters, Variant::timed, view);
+        compile_draw(device, technique, parameters, Variant::probed, view);
     }
 
     const gpu::Device& device;
@@ -156,18 +156,15 @@ gpu::Buffer Renderer::State::make_uniforms(const View& from) const {
 
 DrawSetup Renderer::State::make_setup(const View& from, const gpu::Buffer& values) const {
     DrawSetup result;
-    result.extent.width = static_cast<std::uint32_t>(from.resolution.width);
-    result.extent.height = static_cast<std::uint32_t>(from.resolution.height);
+    result.view = from;
     result.parameters = parameters;
     result.constants = parameter_constants(technique.manifest, parameters);
     result.constants["lighting_enabled"] = lighting.enabled ? 1 : 0;
-    result.constants["relief_repeats"] = from.relief.boundary == Boundary::repeat ? 1 : 0;
-    result.constants.merge(self_shadow_constants(from.self_shadow));
+    result.constants.merge(view_constants(from));
     result.bindings = scene.textures().all_bindings();
     result.bindings.push_back(gpu::uniform_buffer(scene_block_name, values.buffer));
     for (const gpu::Binding& map : maps.draw_bindings())
         result.bindings.push_back(map);
-    result.depth_write = from.depth_write;
     if (object)
         result.object.emplace(device, *object, technique.shaders, gpu::uniform_buffer(scene_block_name, values.buffer));
     result.geometry = geometry_of(from);

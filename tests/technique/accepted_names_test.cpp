@@ -38,8 +38,7 @@ TEST_F(AcceptedNames, CompileBesideEveryShader) {
     add_words(shader_root(), words);
     add_words(default_technique_root(), words);
     for (const Technique& shipped : find_techniques({default_technique_root()}).techniques) {
-        if (!device().info().has_feature("tessellationShader") && shipped.manifest.shape.kind == "patches")
-            continue;
+        if (!device().info().has_feature("tessellationShader") && shipped.manifest.shape.kind == "patches") continue;
         std::set<std::string> taken = names_of_shaders(shipped.manifest, shipped.shaders, shipped.folder);
         for (const Parameter& parameter : shipped.manifest.parameters) {
             taken.insert(parameter.name);
@@ -70,7 +69,9 @@ TEST_F(AcceptedNames, CompileBesideEveryShader) {
         }
         EXPECT_GT(accepted, 250U) << shipped.manifest.id;
         const ParameterValues values = technique.manifest.defaults();
-        EXPECT_NO_THROW(compile_draw(device(), technique, values, Variant::probed, DepthWrite::conservative));
+        View view;
+        view.depth_write = DepthWrite::conservative;
+        EXPECT_NO_THROW(compile_draw(device(), technique, values, Variant::probed, view));
         for (const PassDeclaration& pass : technique.manifest.passes)
             EXPECT_NO_THROW(compile_pass(device(), technique, values, pass, Variant::probed)) << pass.name;
     }

@@ -241,7 +241,7 @@ TEST_F(CompileMessage, NamesThatTheCompilerKnowsAreReserved) {
                 own.insert(declared.name);
         }
         std::vector<gpu::CompiledStage> stages =
-            compile_draw(device(), technique, manifest.defaults(), Variant::probed, DepthWrite::on);
+            compile_draw(device(), technique, manifest.defaults(), Variant::probed, View{});
         for (const PassDeclaration& pass : manifest.passes)
             stages.push_back(compile_pass(device(), technique, manifest.defaults(), pass, Variant::probed));
         std::size_t looked_at = 0;
