@@ -23,6 +23,7 @@ const std::set<std::string> words = {"flat", "parallax", "relief", "secant", "st
 /// What has a technique's name because a published method has it, and is not the technique's: a piece for techniques,
 /// and a way to refine a hit.
 const std::set<std::pair<std::string, std::string>> methods = {{"relaxed_cone.glsl", "relaxed_cone"},
+                                                               {"prepare_search_falling_edges.glsl", "relaxed_cone"},
                                                                {"march.json", "secant"}};
 
 std::vector<fs::path> generic_files() {
