@@ -54,7 +54,7 @@ struct Specialization {
 };
 
 /// Numbers of the set's bindings in their order. An Error where it binds what the shaders do not declare, or otherwise,
-/// or leaves something out.
+/// or leaves something out that they use.
 std::vector<std::uint32_t> find_bindings(const ShaderInterface& interface, const std::vector<Binding>& set) {
     std::vector<std::uint32_t> numbers;
     for (const Binding& binding : set) {
@@ -63,11 +63,15 @@ std::vector<std::uint32_t> find_bindings(const ShaderInterface& interface, const
         if (declared->second.type != binding.type)
             fail("the shaders declare '{}' as {}, and {} is bound to it", binding.name,
                  vk::to_string(declared->second.type), vk::to_string(binding.type));
+        const auto same = std::ranges::find(numbers, declared->second.binding);
+        if (same != numbers.end())
+            fail("the shaders declare both '{}' and '{}' at binding {}", set[same - numbers.begin()].name, binding.name,
+                 *same);
         numbers.push_back(declared->second.binding);
     }
     for (const auto& [name, resource] : interface.resources) {
-        if (std::ranges::find(set, name, &Binding::name) == set.end())
-            fail("the shaders declare '{}', to which nothing is bound", name);
+        if (resource.is_used && std::ranges::find(set, name, &Binding::name) == set.end())
+            fail("the shaders use the {} '{}', to which nothing is bound", vk::to_string(resource.type), name);
     }
     return numbers;
 }
@@ -105,18 +109,22 @@ void make_descriptor_sets(const DeviceHandles& handles, Pipeline& pipeline,
     handles.device.updateDescriptorSets(writes, {});
 }
 
-/// What a pipeline's making depends on, apart from fixed state: shaders by their addresses.
-std::string shared_key(const std::vector<CompiledStage>& stages, const SpecializationValues& constants) {
+/// What a pipeline's making depends on, apart from fixed state: shaders by their addresses, bindings by their names.
+std::string shared_key(const std::vector<CompiledStage>& stages, const SpecializationValues& constants,
+                       const std::vector<Binding>& set) {
     std::string key;
     for (const CompiledStage& stage : stages)
         key += fmt::format("stage {} {};", static_cast<int>(stage.stage), static_cast<const void*>(stage.code.get()));
     for (const auto& [name, value] : constants)
         key += fmt::format("constant {} {};", name, value);
+    for (const Binding& binding : set)
+        key += fmt::format("binding {};", binding.name);
     return key;
 }
 
-/// Everything but the pipeline itself.
-SharedPipeline make_layout(const DeviceHandles& handles, const std::vector<CompiledStage>& compiled) {
+/// Everything but the pipeline itself. The layout holds what `set` binds, which is all that the shaders use.
+SharedPipeline make_layout(const DeviceHandles& handles, const std::vector<CompiledStage>& compiled,
+                           const std::vector<Binding>& set) {
     SharedPipeline result;
     vk::ShaderStageFlags stages;
     for (const CompiledStage& stage : compiled) {
@@ -124,6 +132,14 @@ SharedPipeline make_layout(const DeviceHandles& handles, const std::vector<Compi
         add_interface(result.interface, read_interface(*stage.code, vulkan_stage(stage.stage)));
         result.shaders.push_back(stage.code);
     }
+    find_bindings(result.interface, set);
+    std::erase_if(result.interface.resources, [&](const auto& resource) {
+        return std::ranges::find(set, resource.first, &Binding::name) == set.end();
+    });
+    const std::uint32_t max_push_constants = handles.physical_device.getProperties().limits.maxPushConstantsSize;
+    if (result.interface.push_constant_bytes > max_push_constants)
+        fail("the shaders use {} bytes of push constants; {} has {}", result.interface.push_constant_bytes,
+             handles.info.name, max_push_constants);
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
     for (const auto& [name, resource] : result.interface.resources)
         bindings.push_back({.binding = resource.binding,
@@ -193,7 +209,7 @@ Pipeline make_compute_pipeline(const Device& device, const ComputePipelineOption
     return translate_errors("make a compute pipeline", handles.info.name, [&] {
         const std::vector<CompiledStage> stages{options.shader};
         const auto make = [&] {
-            SharedPipeline made = make_layout(handles, stages);
+            SharedPipeline made = make_layout(handles, stages, sets.front());
             const Specialization specialization(options.constants, made.interface);
             const vk::raii::ShaderModule module = make_module(handles, *options.shader.code);
             made.bind_point = vk::PipelineBindPoint::eCompute;
@@ -207,7 +223,7 @@ Pipeline make_compute_pipeline(const Device& device, const ComputePipelineOption
             return made;
         };
         Pipeline result;
-        result.shared = device.shared_pipelines().get(shared_key(stages, options.constants), make);
+        result.shared = device.shared_pipelines().get(shared_key(stages, options.constants, sets.front()), make);
         make_descriptor_sets(handles, result, sets);
         return result;
     });
@@ -271,7 +287,7 @@ Pipeline make_graphics_pipeline(const Device& device, const GraphicsPipelineOpti
     const DeviceHandles& handles = device.handles();
     return translate_errors("make a graphics pipeline", handles.info.name, [&] {
         const auto make = [&] {
-            SharedPipeline made = make_layout(handles, options.stages);
+            SharedPipeline made = make_layout(handles, options.stages, bindings);
             const Specialization specialization(options.constants, made.interface);
             std::vector<vk::raii::ShaderModule> modules;
             std::vector<vk::PipelineShaderStageCreateInfo> stages;
@@ -288,7 +304,7 @@ Pipeline make_graphics_pipeline(const Device& device, const GraphicsPipelineOpti
                 std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
             return made;
         };
-        std::string key = shared_key(options.stages, options.constants);
+        std::string key = shared_key(options.stages, options.constants, bindings);
         for (const vk::Format format : options.colour_formats)
             key += fmt::format("colour {};", vk::to_string(format));
         key += fmt::format("depth {} {};{} cull {} patch {};flags {};", vk::to_string(options.depth_format),

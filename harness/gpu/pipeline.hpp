@@ -55,8 +55,8 @@ struct ComputePipelineOptions {
 };
 
 /// One descriptor set for each element of `sets`. The layouts of descriptors and of push constants are what the shaders
-/// declare: each set must bind all of their names and no others, and constants must be declared by some stage; else it
-/// is an Error with the name. So with graphics pipelines.
+/// declare: each set must bind all names that they use and none that they do not declare, the same in all sets, and
+/// constants must be declared by some stage; else it is an Error with the name. So with graphics pipelines.
 Pipeline make_compute_pipeline(const Device& device, const ComputePipelineOptions& options,
                                const std::vector<std::vector<Binding>>& sets);
 

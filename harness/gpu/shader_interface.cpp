@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,48 +17,120 @@ namespace {
 /// SPIR-V 1.6, section 3.
 namespace spv {
 constexpr std::uint32_t op_name = 5;
+constexpr std::uint32_t op_line = 8;
+constexpr std::uint32_t op_ext_inst = 12;
 constexpr std::uint32_t op_execution_mode = 16;
 constexpr std::uint32_t op_type_int = 21;
 constexpr std::uint32_t op_type_float = 22;
 constexpr std::uint32_t op_type_vector = 23;
+constexpr std::uint32_t op_type_matrix = 24;
 constexpr std::uint32_t op_type_image = 25;
+constexpr std::uint32_t op_type_sampler = 26;
 constexpr std::uint32_t op_type_sampled_image = 27;
 constexpr std::uint32_t op_type_array = 28;
 constexpr std::uint32_t op_type_runtime_array = 29;
 constexpr std::uint32_t op_type_struct = 30;
 constexpr std::uint32_t op_type_pointer = 32;
 constexpr std::uint32_t op_constant = 43;
+constexpr std::uint32_t op_function = 54;
 constexpr std::uint32_t op_variable = 59;
+constexpr std::uint32_t op_load = 61;
+constexpr std::uint32_t op_store = 62;
+constexpr std::uint32_t op_copy_memory = 63;
+constexpr std::uint32_t op_array_length = 68;
 constexpr std::uint32_t op_decorate = 71;
 constexpr std::uint32_t op_member_decorate = 72;
-constexpr std::uint32_t op_type_acceleration_structure = 5341;
+constexpr std::uint32_t op_vector_shuffle = 79;
+constexpr std::uint32_t op_composite_extract = 81;
+constexpr std::uint32_t op_composite_insert = 82;
+constexpr std::uint32_t op_image_first = 87;
+constexpr std::uint32_t op_image_last = 99;
+constexpr std::uint32_t op_loop_merge = 246;
+constexpr std::uint32_t op_selection_merge = 247;
+constexpr std::uint32_t op_branch_conditional = 250;
+constexpr std::uint32_t op_switch = 251;
+constexpr std::uint32_t op_image_sparse_first = 305;
+constexpr std::uint32_t op_image_sparse_last = 320;
 constexpr std::uint32_t op_execution_mode_id = 331;
+constexpr std::uint32_t op_type_acceleration_structure = 5341;
 constexpr std::uint32_t mode_local_size = 17;
 constexpr std::uint32_t mode_local_size_id = 38;
 constexpr std::uint32_t storage_uniform = 2;
 constexpr std::uint32_t storage_push_constant = 9;
 constexpr std::uint32_t storage_buffer = 12;
+constexpr std::uint32_t dimension_buffer = 5;
+constexpr std::uint32_t dimension_subpass_data = 6;
+constexpr std::uint32_t image_is_sampled = 1;
 constexpr std::uint32_t spec_id = 1;
+constexpr std::uint32_t row_major = 4;
 constexpr std::uint32_t array_stride = 6;
+constexpr std::uint32_t matrix_stride = 7;
 constexpr std::uint32_t binding = 33;
 constexpr std::uint32_t descriptor_set = 34;
 constexpr std::uint32_t offset = 35;
 }  // namespace spv
 
-/// The declarations of a module by the id of their result.
+/// The words of a function's instruction among which ids of variables can be. Left out are numbers, which may be any,
+/// and instructions that take no pointers but have such numbers (OpImageTexelPointer is none of those of images).
+std::span<const std::uint32_t> words_with_ids(const Instruction& instruction) {
+    const auto& [op, words] = instruction;
+    const auto first = [&all = words](std::size_t count) { return all.first(std::min(count, all.size())); };
+    if (op >= spv::op_image_first && op <= spv::op_image_last) return {};
+    if (op >= spv::op_image_sparse_first && op <= spv::op_image_sparse_last) return {};
+    switch (op) {
+        case spv::op_line:
+        case spv::op_function:
+        case spv::op_variable:
+        case spv::op_loop_merge:
+        case spv::op_selection_merge:
+        case spv::op_branch_conditional:
+        case spv::op_switch:
+            return {};
+        case spv::op_store:
+        case spv::op_copy_memory:
+            return first(3).subspan(1);
+        case spv::op_load:
+        case spv::op_array_length:
+        case spv::op_composite_extract:
+            return first(4).subspan(1);
+        case spv::op_composite_insert:
+        case spv::op_vector_shuffle:
+            return first(5).subspan(1);
+        case spv::op_ext_inst:
+            return words.subspan(5);
+        default:
+            return words.subspan(1);
+    }
+}
+
+/// The declarations of a module by the id of their result. A technique's shaders may declare anything: what is not kept
+/// here has the opcode 0 and no words.
 class Declarations {
 public:
     explicit Declarations(const SpirV& module) {
-        for_each_instruction(module, [&](const Instruction& instruction) { add(instruction); });
+        for_each_instruction(module, [&](const Instruction& instruction) {
+            in_functions_ = in_functions_ || instruction.op == spv::op_function;
+            if (in_functions_)
+                find_uses(instruction);
+            else
+                add(instruction);
+        });
     }
 
-    const std::vector<std::uint32_t>& variables() const { return variables_; }
+    /// Those outside functions, and whether a function refers to them: Vulkan's static use, for the compiler leaves out
+    /// functions that nobody calls.
+    const std::map<std::uint32_t, bool>& variables() const { return variables_; }
     const std::map<std::uint32_t, std::uint32_t>& constant_ids() const { return decorated(spv::spec_id); }
 
-    std::uint32_t storage_class(std::uint32_t variable) const { return words(variable)[3]; }
+    std::uint32_t storage_class(std::uint32_t variable) const { return word(variable, 3); }
     /// What the variable's pointer points to.
-    std::uint32_t type_of(std::uint32_t variable) const { return words(words(variable)[1])[3]; }
-    std::uint32_t op(std::uint32_t id) const { return instructions_.at(id).op; }
+    std::uint32_t type_of(std::uint32_t variable) const { return word(word(variable, 1), 3); }
+    std::uint32_t op(std::uint32_t id) const { return find(id).op; }
+    /// 0 where there are fewer.
+    std::uint32_t word(std::uint32_t id, std::size_t index) const {
+        const auto& words = find(id).words;
+        return index < words.size() ? words[index] : 0;
+    }
 
     std::string name_of(std::uint32_t id) const {
         const auto found = names_.find(id);
@@ -76,36 +149,26 @@ public:
         std::array<std::uint32_t, 3> size = local_size_;
         if (!local_size_by_id_) return size;
         for (std::uint32_t& side : size) {
-            if (!instructions_.contains(side)) fail("the size of the shader's work groups is no constant");
-            side = words(side)[3];
+            if (op(side) != spv::op_constant) fail("the size of the shader's work groups is no constant");
+            side = word(side, 3);
         }
         return size;
     }
 
-    /// Bytes of a type as blocks lay it out.
-    std::uint32_t size_of(std::uint32_t type) const {
-        constexpr std::uint32_t bits_per_byte = 8;
-        const auto& word = words(type);
-        switch (op(type)) {
-            case spv::op_type_int:
-            case spv::op_type_float:
-                return word[2] / bits_per_byte;
-            case spv::op_type_vector:
-                return word[3] * size_of(word[2]);
-            case spv::op_type_array:
-                return words(word[3])[3] * decoration(type, spv::array_stride);
-            case spv::op_type_struct: {
-                std::uint32_t end = 0;
-                for (std::uint32_t member = 0; member + 2 < word.size(); ++member)
-                    end = std::max(end, member_offsets_.at({type, member}) + size_of(word[member + 2]));
-                return end;
-            }
-            default:
-                fail("a push constant is neither a number, a vector, an array nor a structure of these");
-        }
+    /// Bytes of a block's type up to its last member's end. Errors name `block`.
+    std::uint32_t size_of_block(std::uint32_t type, const std::string& block) const {
+        const auto& words = find(type).words;
+        std::uint32_t end = 0;
+        for (std::uint32_t member = 0; member + 2 < words.size(); ++member)
+            end = std::max(end, member_decoration({type, member}, spv::offset) +
+                                    size_of(words[member + 2], {type, member}, block));
+        return end;
     }
 
 private:
+    /// Of a structure's type.
+    using Member = std::pair<std::uint32_t, std::uint32_t>;
+
     void add(const Instruction& instruction) {
         const auto& [op, words] = instruction;
         switch (op) {
@@ -122,10 +185,10 @@ private:
                 if (words.size() > 3) decorations_[words[2]][words[1]] = words[3];
                 break;
             case spv::op_member_decorate:
-                if (words[3] == spv::offset) member_offsets_[{words[1], words[2]}] = words[4];
+                member_decorations_[words[3]][{words[1], words[2]}] = words.size() > 4 ? words[4] : 0;
                 break;
             case spv::op_variable:
-                variables_.push_back(words[2]);
+                variables_.emplace(words[2], false);
                 instructions_[words[2]] = instruction;
                 break;
             case spv::op_constant:
@@ -134,7 +197,9 @@ private:
             case spv::op_type_int:
             case spv::op_type_float:
             case spv::op_type_vector:
+            case spv::op_type_matrix:
             case spv::op_type_image:
+            case spv::op_type_sampler:
             case spv::op_type_sampled_image:
             case spv::op_type_array:
             case spv::op_type_runtime_array:
@@ -148,7 +213,18 @@ private:
         }
     }
 
-    const std::span<const std::uint32_t>& words(std::uint32_t id) const { return instructions_.at(id).words; }
+    void find_uses(const Instruction& instruction) {
+        for (const std::uint32_t id : words_with_ids(instruction)) {
+            const auto variable = variables_.find(id);
+            if (variable != variables_.end()) variable->second = true;
+        }
+    }
+
+    const Instruction& find(std::uint32_t id) const {
+        static const Instruction none;
+        const auto found = instructions_.find(id);
+        return found == instructions_.end() ? none : found->second;
+    }
 
     const std::map<std::uint32_t, std::uint32_t>& decorated(std::uint32_t kind) const {
         static const std::map<std::uint32_t, std::uint32_t> none;
@@ -156,44 +232,112 @@ private:
         return found == decorations_.end() ? none : found->second;
     }
 
+    /// 0 where it is not decorated so.
+    std::uint32_t member_decoration(const Member& member, std::uint32_t kind) const {
+        const auto all = member_decorations_.find(kind);
+        if (all == member_decorations_.end()) return 0;
+        const auto found = all->second.find(member);
+        return found == all->second.end() ? 0 : found->second;
+    }
+    bool is_row_major(const Member& member) const {
+        const auto all = member_decorations_.find(spv::row_major);
+        return all != member_decorations_.end() && all->second.contains(member);
+    }
+
+    /// Bytes of what `member` is or, of an array, holds: the layout of matrices is the member's.
+    std::uint32_t size_of(std::uint32_t type, const Member& member, const std::string& block) const {
+        constexpr std::uint32_t bits_per_byte = 8;
+        switch (op(type)) {
+            case spv::op_type_int:
+            case spv::op_type_float:
+                return word(type, 2) / bits_per_byte;
+            case spv::op_type_vector:
+                return word(type, 3) * size_of(word(type, 2), member, block);
+            case spv::op_type_matrix: {
+                const std::uint32_t columns = word(type, 3);
+                const std::uint32_t rows = word(word(type, 2), 3);
+                return (is_row_major(member) ? rows : columns) * member_decoration(member, spv::matrix_stride);
+            }
+            case spv::op_type_array: {
+                const std::uint32_t length = word(type, 3);
+                if (op(length) != spv::op_constant)
+                    fail("the shader's push constants '{}' have an array whose length is no plain constant", block);
+                return word(length, 3) * decoration(type, spv::array_stride);
+            }
+            case spv::op_type_struct:
+                return size_of_block(type, block);
+            default:
+                fail(
+                    "the shader's push constants '{}' have what is neither a number, a vector, a matrix, an array nor "
+                    "a structure of these",
+                    block);
+        }
+    }
+
     std::map<std::uint32_t, Instruction> instructions_;
     std::map<std::uint32_t, std::string> names_;
     /// By kind, then by what is decorated.
     std::map<std::uint32_t, std::map<std::uint32_t, std::uint32_t>> decorations_;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> member_offsets_;
-    std::vector<std::uint32_t> variables_;
+    std::map<std::uint32_t, std::map<Member, std::uint32_t>> member_decorations_;
+    std::map<std::uint32_t, bool> variables_;
     std::array<std::uint32_t, 3> local_size_{};
     bool local_size_by_id_ = false;
+    bool in_functions_ = false;
 };
 
-vk::DescriptorType descriptor_type(const Declarations& module, std::uint32_t variable, const std::string& name) {
-    const std::uint32_t type = module.op(module.type_of(variable));
-    if (type == spv::op_type_array || type == spv::op_type_runtime_array)
-        fail("the shader's '{}' is an array of resources; each needs a name of its own", name);
+/// A block without an instance name goes by the block's.
+std::string variable_name(const Declarations& module, std::uint32_t variable) {
+    const std::string name = module.name_of(variable);
+    return name.empty() ? module.name_of(module.type_of(variable)) : name;
+}
+
+std::optional<vk::DescriptorType> descriptor_type(const Declarations& module, std::uint32_t variable) {
     if (module.storage_class(variable) == spv::storage_buffer) return vk::DescriptorType::eStorageBuffer;
     if (module.storage_class(variable) == spv::storage_uniform) return vk::DescriptorType::eUniformBuffer;
-    switch (type) {
+    const std::uint32_t type = module.type_of(variable);
+    const bool is_combined = module.op(type) == spv::op_type_sampled_image;
+    const std::uint32_t image = is_combined ? module.word(type, 2) : type;
+    const bool is_buffer = module.word(image, 3) == spv::dimension_buffer;
+    switch (module.op(type)) {
         case spv::op_type_sampled_image:
-            return vk::DescriptorType::eCombinedImageSampler;
+            // samplerBuffer has the shape of a combined sampler, and no sampler.
+            return is_buffer ? vk::DescriptorType::eUniformTexelBuffer : vk::DescriptorType::eCombinedImageSampler;
         case spv::op_type_image:
-            return vk::DescriptorType::eStorageImage;
+            if (module.word(image, 3) == spv::dimension_subpass_data) return vk::DescriptorType::eInputAttachment;
+            if (module.word(image, 7) == spv::image_is_sampled)
+                return is_buffer ? vk::DescriptorType::eUniformTexelBuffer : vk::DescriptorType::eSampledImage;
+            return is_buffer ? vk::DescriptorType::eStorageTexelBuffer : vk::DescriptorType::eStorageImage;
+        case spv::op_type_sampler:
+            return vk::DescriptorType::eSampler;
         case spv::op_type_acceleration_structure:
             return vk::DescriptorType::eAccelerationStructureKHR;
         default:
-            fail("the shader's '{}' is of a kind that is never bound", name);
+            return std::nullopt;
     }
 }
 
-void add_resource(ShaderInterface& interface, const Declarations& module, std::uint32_t variable,
+void add_resource(ShaderInterface& interface, const Declarations& module, std::uint32_t variable, bool is_used,
                   vk::ShaderStageFlagBits stage) {
-    std::string name = module.name_of(variable);
-    if (name.empty()) name = module.name_of(module.type_of(variable));
-    if (module.decoration(variable, spv::descriptor_set) != 0)
-        fail("the shader's '{}' is in descriptor set {}; there is set 0 only", name,
-             module.decoration(variable, spv::descriptor_set));
-    const vk::DescriptorType type = descriptor_type(module, variable, name);
-    interface.resources.emplace(name,
-                                ShaderInterface::Resource{module.decoration(variable, spv::binding), type, stage});
+    const std::string name = variable_name(module, variable);
+    const auto leave_out = [&](const std::string& because) {
+        if (is_used) fail("the shader's '{}' is {}", name, because);
+    };
+    const std::uint32_t set = module.decoration(variable, spv::descriptor_set);
+    const std::uint32_t type = module.op(module.type_of(variable));
+    if (set != 0) return leave_out(fmt::format("in descriptor set {}; there is set 0 only", set));
+    if (type == spv::op_type_array || type == spv::op_type_runtime_array)
+        return leave_out("an array of resources; each needs a name of its own");
+    const std::optional<vk::DescriptorType> bound_as = descriptor_type(module, variable);
+    if (!bound_as) return leave_out("of a kind that is never bound");
+    interface.resources.emplace(
+        name, ShaderInterface::Resource{module.decoration(variable, spv::binding), *bound_as, stage, is_used});
+}
+
+/// A multiple of four, as Vulkan wants it.
+std::uint32_t push_constant_bytes(const Declarations& module, std::uint32_t variable) {
+    const std::uint32_t bytes = module.size_of_block(module.type_of(variable), variable_name(module, variable));
+    constexpr std::uint32_t granularity = 4;
+    return (bytes + granularity - 1) / granularity * granularity;
 }
 
 }  // namespace
@@ -201,10 +345,11 @@ void add_resource(ShaderInterface& interface, const Declarations& module, std::u
 ShaderInterface read_interface(const SpirV& module, vk::ShaderStageFlagBits stage) {
     const Declarations declarations(module);
     ShaderInterface interface;
-    for (const std::uint32_t variable : declarations.variables()) {
-        if (declarations.storage_class(variable) == spv::storage_push_constant)
-            interface.push_constant_bytes = declarations.size_of(declarations.type_of(variable));
-        if (declarations.is_decorated(variable, spv::binding)) add_resource(interface, declarations, variable, stage);
+    for (const auto& [variable, is_used] : declarations.variables()) {
+        if (declarations.storage_class(variable) == spv::storage_push_constant && is_used)
+            interface.push_constant_bytes = push_constant_bytes(declarations, variable);
+        if (declarations.is_decorated(variable, spv::binding))
+            add_resource(interface, declarations, variable, is_used, stage);
     }
     for (const auto& [constant, id] : declarations.constant_ids())
         interface.constants.emplace(declarations.name_of(constant), id);
@@ -214,15 +359,20 @@ ShaderInterface read_interface(const SpirV& module, vk::ShaderStageFlagBits stag
 
 void add_interface(ShaderInterface& pipeline, const ShaderInterface& stage) {
     for (const auto& [name, resource] : stage.resources) {
-        for (auto& [other_name, other] : pipeline.resources) {
-            if (other.binding == resource.binding && other_name != name)
-                fail("the shaders declare both '{}' and '{}' at binding {}", other_name, name, resource.binding);
+        for (const auto& [other_name, other] : pipeline.resources) {
+            const bool both_used = other.is_used && resource.is_used;
+            if (both_used && other.binding == resource.binding && other_name != name)
+                fail("the shaders use both '{}' and '{}' at binding {}", other_name, name, resource.binding);
         }
         const auto [known, is_new] = pipeline.resources.emplace(name, resource);
         if (is_new) continue;
-        if (known->second.binding != resource.binding || known->second.type != resource.type)
-            fail("the shaders' stages declare '{}' in different ways", name);
-        known->second.stages |= resource.stages;
+        if (known->second.binding == resource.binding && known->second.type == resource.type) {
+            known->second.stages |= resource.stages;
+            known->second.is_used = known->second.is_used || resource.is_used;
+            continue;
+        }
+        if (known->second.is_used && resource.is_used) fail("the shaders' stages declare '{}' in different ways", name);
+        if (resource.is_used) known->second = resource;
     }
     for (const auto& [name, id] : stage.constants) {
         for (const auto& [other_name, other] : pipeline.constants) {

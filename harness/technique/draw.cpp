@@ -1,5 +1,6 @@
 #include "technique/draw.hpp"
 
+#include "core/error.hpp"
 #include "gpu/commands.hpp"
 #include "scene/colour.hpp"
 
@@ -80,6 +81,8 @@ Draw::Draw(const gpu::Device& device, const Technique& technique, Kind kind, con
         bindings.push_back(gpu::storage_buffer(WorkCounters::name, work_->buffer()));
     }
     pipeline_ = gpu::make_graphics_pipeline(device, options, bindings);
+    if (pipeline_.interface().push_constant_bytes > 0)
+        fail("the shaders use push constants, and a draw pushes none; take parameters instead");
     if (!setup.object || kind == Kind::probed) return;
     object_pipeline_ = setup.object->make_pipeline(
         options.colour_formats, depth_format, extent_,

@@ -16,8 +16,8 @@ namespace reliefbench {
 
 namespace {
 
-/// Numbers of what is declared here, above all that harness/shaders declares itself: a module in which two meet is an
-/// Error (gpu/shader_interface.hpp).
+/// Numbers of what is declared here, above all that harness/shaders declares itself: shaders that use two of one number
+/// are an Error (gpu/shader_interface.hpp).
 constexpr std::uint32_t first_parameter_constant = 16;
 constexpr std::uint32_t target_map_binding = 6;
 constexpr std::uint32_t first_derived_map_binding = 8;

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -89,6 +90,39 @@ TEST_F(TechniqueSourcesOfRuns, WhatATechniqueNeedsOfTheMapIsSeenBeforeARun) {
     const std::size_t name = listed.find("\nmine ");
     ASSERT_NE(name, std::string::npos) << listed;
     EXPECT_GT(listed.find("needs of the height map: untiled"), name);
+}
+
+TEST_F(TechniqueSourcesOfRuns, WhatAShaderDeclaresConcernsItsOwnCellAlone) {
+    const auto declare = [&](const std::string& id, const std::string& declaration, const std::string& use) {
+        const std::string file = "techniques/" + id + "/trace.glsl";
+        std::string text = read_file(path(file));
+        const std::string call = "Trace trace(ReliefRay ray) {";
+        const std::size_t body = text.find(call);
+        ASSERT_NE(body, std::string::npos);
+        text.insert(body + call.size(), use);
+        text.insert(body, declaration + "\n");
+        write(file, text);
+    };
+    const std::string sampler = "layout(set = 0, binding = 30) uniform sampler mine;";
+    copy_technique("steep", "other");
+    declare("mine", sampler + " layout(set = 0, binding = 31) uniform texture2D other;",
+            "if (textureSize(sampler2D(other, mine), 0).x > 9) return hit_on_ray(0.0, 0);");
+    declare("other", sampler + " layout(push_constant) uniform Pushed { mat4 pushed; };", "");
+    Json json = tiny_configuration();
+    json["techniques"] = {"mine", "other", "pom"};
+    write_configuration("mine.json", json);
+
+    const Outcome outcome = run(path("run"));
+    EXPECT_EQ(outcome.code, 4) << outcome.err;
+    std::map<std::string, Json> cells;
+    for (const Json& cell : read_lines(path("run/cells.jsonl")))
+        cells[cell.at("technique")] = cell;
+    ASSERT_EQ(cells.size(), 3U);
+    EXPECT_EQ(cells["mine"].at("status"), "failed");
+    EXPECT_THAT(cells["mine"].at("reason").get<std::string>(),
+                HasSubstr("use the Sampler 'mine', to which nothing is bound"));
+    EXPECT_EQ(cells["other"].at("status"), "ok") << cells["other"].dump();
+    EXPECT_EQ(cells["pom"].at("status"), "ok");
 }
 
 TEST_F(TechniqueSourcesOfRuns, ARecordedDirectoryMayHoldNoneAnyMore) {

@@ -1,4 +1,7 @@
+#include "support/error_message.hpp"
 #include "test_scene.hpp"
+
+#include <gmock/gmock.h>
 
 #include <chrono>
 #include <cmath>
@@ -316,6 +319,20 @@ TEST_F(Draw, IsTimedAndCounted) {
     EXPECT_EQ(statistics.at("vertex_shader_invocations"), 4u);
     // At least one for each of the pixels; devices also count those that help with derivatives.
     EXPECT_GE(statistics.at("fragment_shader_invocations"), 32u * 16u);
+}
+
+TEST_F(Draw, PushesNoConstants) {
+    const std::string pushed = "layout(push_constant) uniform Pushed { mat4 pushed; };\n";
+    const SceneOnDevice scene(device(), bumpy_map(), grey_albedo());
+    const auto draw = [&](const std::string& trace) {
+        const TemporaryTechnique folder(Files{{"trace.glsl", trace}});
+        return make_renderer(device(), folder.load(), scene, make_view(45, Projection::parallel, {8, 8})).probe();
+    };
+    EXPECT_THAT(error_message([&] {
+                    draw(pushed + "Trace trace(ReliefRay ray) { return hit_off_ray(ray.uv, pushed[0][0], 0); }\n");
+                }),
+                testing::HasSubstr("push constants"));
+    EXPECT_EQ(draw(pushed + march_trace).hits.at(4, 4).h, draw(march_trace).hits.at(4, 4).h) << "nobody reads them";
 }
 
 TEST_F(Draw, TwoAreTimedAtOnceAndAgain) {
