@@ -117,13 +117,14 @@ TEST_F(BadInput, SettingsOfSamplingAreNamedAsTheyAreGiven) {
 TEST_F(BadInput, AShortNameOfAFigureGetsThoseThatItMayMean) {
     ASSERT_EQ(reliefbench({"run", tiny(), "-o", path("run")}).code, 0);
     const std::string run = path("run");
+    std::filesystem::copy(run, path("copy"), std::filesystem::copy_options::recursive);
     EXPECT_THAT(reliefbench({"advise", run, "--limit", "flip=0.02"}).err,
                 HasSubstr("--limit: there is no figure 'flip' (did you mean image.footprint.flip, image.flip?)"));
     EXPECT_THAT(reliefbench({"advise", run, "--flip", "1", "--rank-by", "uv p99"}).err,
                 HasSubstr("--rank-by: there is no figure 'uv p99' (did you mean error.uv_texels.p99?)"));
     EXPECT_THAT(reliefbench({"advise", run, "--flip", "1", "--rank-by", "uv"}).err, HasSubstr("error.uv_texels.p99"));
     EXPECT_THAT(
-        reliefbench({"compare", "--quality", "--quality-figures", "flip", run, run}).err,
+        reliefbench({"compare", "--quality", "--quality-figures", "flip", run, path("copy")}).err,
         HasSubstr("--quality-figures: there is no figure 'flip' (did you mean image.footprint.flip, image.flip?)"));
     const Outcome file = reliefbench({"advise", run + "/run.json", "--flip", "1"});
     EXPECT_EQ(file.code, 2);
