@@ -1,6 +1,7 @@
 #include "core/figure.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace reliefbench {
 
@@ -30,6 +31,12 @@ bool is_better(double value, double other, Better better) {
 
 bool FigureDeclaration::has_need(std::string_view need) const {
     return std::find(needs.begin(), needs.end(), need) != needs.end();
+}
+
+FigureDeclaration in_short(FigureDeclaration figure, std::string short_label, std::string legend) {
+    figure.short_label = std::move(short_label);
+    figure.legend = std::move(legend);
+    return figure;
 }
 
 }  // namespace reliefbench

@@ -52,9 +52,17 @@ struct FigureDeclaration {
     std::string infinite_at_zero = {};
     /// Path of the figure that decides in its place where a run is too old to have this one.
     std::string stand_in = {};
+    /// What it is called where there is little room, as the title of a column: "uv p99". Empty where nothing calls it
+    /// so.
+    std::string short_label = {};
+    /// What the first word of `short_label` stands for, in a legend; where it is empty, what the unit says.
+    std::string legend = {};
 
     bool has_need(std::string_view need) const;
 };
+
+/// The figure with its name for narrow columns.
+FigureDeclaration in_short(FigureDeclaration figure, std::string short_label, std::string legend = {});
 
 /// Of what a family of figures computed, by path. Empty: the result has none, and a group of which all are empty is
 /// null as a whole; not finite: undefined, and null by itself.

@@ -163,11 +163,13 @@ const std::vector<FigureOf<ImageComparison>>& image_error_table() {
     constexpr auto footprint = &ImageComparison::footprint;
     using Errors = ImageErrors;
     static const std::vector<FigureOf<ImageComparison>> table = {
-        {of_picture("image.flip", "FLIP, whole picture", "", lower), error_of<whole, &Errors::flip>},
+        {in_short(of_picture("image.flip", "FLIP, whole picture", "", lower), "flip", "0 to 1, of the whole picture"),
+         error_of<whole, &Errors::flip>},
         {psnr_figure("image.psnr", "PSNR, whole picture", "image.rmse"), error_of<whole, &Errors::psnr>},
         {of_picture("image.ssim", "SSIM, whole picture", "", higher), error_of<whole, &Errors::ssim>},
         {of_picture("image.rmse", "RMSE, whole picture", "", lower), error_of<whole, &Errors::rmse>},
-        {over_footprint(of_picture("image.footprint.flip", "FLIP, footprint", "", lower), "image.flip"),
+        {in_short(over_footprint(of_picture("image.footprint.flip", "FLIP, footprint", "", lower), "image.flip"),
+                  "flip", "0 to 1, over the footprint"),
          error_of<footprint, &Errors::flip>},
         {over_footprint(psnr_figure("image.footprint.psnr", "PSNR, footprint", "image.footprint.rmse"), "image.psnr"),
          error_of<footprint, &Errors::psnr>},

@@ -174,7 +174,8 @@ const std::vector<FigureOf<MotionErrors>>& motion_table() {
     constexpr auto flip = &MotionErrors::flip;
     using Values = MotionFigures::Values;
     static const std::vector<FigureOf<MotionErrors>> table = {
-        {of_texels("motion.texels.mean", "Change of the UV error between frames, mean"),
+        {in_short(of_texels("motion.texels.mean", "Change of the UV error between frames, mean"), "motion",
+                  "change of the UV error between frames, texels"),
          of_change<texels, &Values::mean>},
         {of_texels("motion.texels.p95", "Change of the UV error between frames, p95"), of_change<texels, &Values::p95>},
         {of_texels("motion.texels.max", "Change of the UV error between frames, maximum"),

@@ -39,7 +39,8 @@ const std::vector<FigureOf<ShadowErrors>>& shadow_error_table() {
     constexpr Better lower = Better::lower;
     using Errors = ShadowErrors;
     static const std::vector<FigureOf<Errors>> table = {
-        {of_visibility("error.shadow.mean", "Shadow error, mean", visibility, lower),
+        {in_short(of_visibility("error.shadow.mean", "Shadow error, mean", visibility, lower), "shadow",
+                  "mean error of the lights' visibility"),
          [](const Errors& errors) { return std::optional(errors.mean); }},
         {of_visibility("error.shadow.false_shadow", "False shadow", visibility, lower),
          [](const Errors& errors) { return std::optional(errors.false_shadow); }},

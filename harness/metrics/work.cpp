@@ -11,7 +11,8 @@ const std::vector<FigureOf<WorkSummary>>& work_table() {
     constexpr Better lower = Better::lower;
     static const std::vector<std::string> shadows = {std::string(figure_needs::self_shadow)};
     static const std::vector<FigureOf<Work>> table = {
-        {{"work.taps_mean", "Taps per pixel", "", lower}, [](const Work& w) { return std::optional(w.taps_mean()); }},
+        {in_short({"work.taps_mean", "Taps per pixel", "", lower}, "taps"),
+         [](const Work& w) { return std::optional(w.taps_mean()); }},
         {{"work.taps_p95", "Taps per pixel, p95", "", lower},
          [](const Work& w) { return std::optional(w.taps_p95()); }},
         {{"work.texels_mean", "Texels read per pixel", "", lower},
@@ -23,7 +24,7 @@ const std::vector<FigureOf<WorkSummary>>& work_table() {
          [](const Work& w) { return std::optional(w.unconverged); }},
         {{.path = "work.covered_pixels", .label = "Covered pixels", .unit = "pixels", .is_count = true},
          [](const Work& w) { return std::optional(static_cast<double>(w.covered_pixels)); }},
-        {{"work.shadow_taps_mean", "Shadow taps per pixel", "", lower, shadows},
+        {in_short({"work.shadow_taps_mean", "Shadow taps per pixel", "", lower, shadows}, "shadow taps"),
          [](const Work& w) { return w.shadow_taps ? std::optional(w.shadow_taps->mean) : std::nullopt; }},
         {{"work.shadow_taps_p95", "Shadow taps per pixel, p95", "", lower, shadows},
          [](const Work& w) { return w.shadow_taps ? std::optional(w.shadow_taps->p95) : std::nullopt; }},

@@ -21,8 +21,14 @@ namespace {
 /// Settings named that cannot be told from the best.
 constexpr std::size_t settings_named = 3;
 constexpr std::size_t line_indent = 2;
-constexpr std::string_view advice_legend =
-    "ms: median of the draw in the worst view; ns/pixel: per covered pixel; errors are those of the worst view";
+
+/// Of both times that each table begins with.
+std::string advice_legend() {
+    const FigureDeclaration& cost = known_figure(chosen_figures::cost);
+    const FigureDeclaration& over_pixels = known_figure(chosen_figures::ns_per_pixel);
+    return fmt::format("{}: {} in the worst view; {}: {}; errors are those of the worst view", cost.short_label,
+                       cost.legend, over_pixels.short_label, over_pixels.legend);
+}
 
 bool is_draw_time(const FigureDeclaration& figure) {
     return figure.path == chosen_figures::cost;
@@ -105,7 +111,9 @@ std::string text_of(const std::optional<double>& value) {
 }
 
 std::string table_of(const Advice& advice, const ViewAdvice& view, std::size_t columns) {
-    std::vector<FigureColumn> titles{{"", Alignment::left}, {"ms"}, {"ns/pixel"}};
+    std::vector<FigureColumn> titles{{"", Alignment::left},
+                                     {column_title(known_figure(chosen_figures::cost))},
+                                     {column_title(known_figure(chosen_figures::ns_per_pixel))}};
     for (const FigureDeclaration* figure : advice.figures) {
         if (is_draw_time(*figure)) continue;
         const std::string unit = figure_unit_text(figure->unit);
@@ -180,7 +188,7 @@ std::string format_table(const Advice& advice, std::size_t columns) {
         }
         text += '\n';
     }
-    text += indented(advice_legend, 0, columns);
+    text += indented(advice_legend(), 0, columns);
     if (advice.flip != RankingFlip::footprint) text += indented(caveat_of(advice.flip), 0, columns);
     return text;
 }

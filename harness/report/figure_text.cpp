@@ -28,4 +28,9 @@ std::string figure_unit_text(std::string_view unit) {
     return fmt::format(" %{}", unit.substr(fraction.size()));
 }
 
+std::string column_title(const FigureDeclaration& figure) {
+    const std::string& name = figure.short_label.empty() ? figure.label : figure.short_label;
+    return figure.unit.starts_with(fraction) ? name + " %" : name;
+}
+
 }  // namespace reliefbench

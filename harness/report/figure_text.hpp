@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/figure.hpp"
+
 #include <string>
 #include <string_view>
 
@@ -14,5 +16,8 @@ std::string figure_value_text(double value, std::string_view unit, int digits = 
 
 /// " texels", " % of footprint", or nothing: with the space before it.
 std::string figure_unit_text(std::string_view unit);
+
+/// Of a narrow column: its short name ("uv p99"), or else its label; with " %" where it is of a fraction.
+std::string column_title(const FigureDeclaration& figure);
 
 }  // namespace reliefbench

@@ -1,6 +1,7 @@
 #include "report/github_action.hpp"
 
 #include "core/counted.hpp"
+#include "report/figure_text.hpp"
 #include "report/text_layout.hpp"
 #include "store/chosen_figures.hpp"
 
@@ -13,10 +14,12 @@ namespace {
 std::string extra_of(const CellResult& cell, const PassTiming& draw) {
     std::string extra = fmt::format("95 % interval of the median: {} to {} ms\n{}", significant(draw.ci95_ms.low, 4),
                                     significant(draw.ci95_ms.high, 4), counted(draw.n, "sample"));
-    if (const auto taps = value_of(chosen_figures::taps, cell))
-        extra += fmt::format("\n{} taps per pixel", significant(*taps));
-    if (const auto uv = value_of(chosen_figures::quality, cell))
-        extra += fmt::format("\nUV error p99: {} texels", significant(*uv));
+    for (const std::string_view path : {chosen_figures::taps, chosen_figures::quality}) {
+        const FigureDeclaration& figure = known_figure(path);
+        if (const std::optional<double> value = value_of(figure, cell))
+            extra += fmt::format("\n{}: {}{}", figure.label, figure_value_text(*value, figure.unit),
+                                 figure_unit_text(figure.unit));
+    }
     return extra;
 }
 

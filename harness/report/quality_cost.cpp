@@ -1,5 +1,6 @@
 #include "report/quality_cost.hpp"
 
+#include "core/suggest.hpp"
 #include "report/figure_text.hpp"
 #include "report/merged_reason.hpp"
 #include "report/text_layout.hpp"
@@ -59,6 +60,12 @@ char mark_of(const QualityCostRow& row, const std::vector<QualityCostRow>& rows)
     return dominated ? ' ' : '*';
 }
 
+/// Of both marks.
+std::vector<std::string> mark_legend() {
+    return {fmt::format("* nothing in the view is both faster and better ({})", column_title(front_quality())),
+            "! missed + false hits above 0.5 %: its errors do not count"};
+}
+
 /// The median to four significant digits, the deviation to the same decimals.
 std::string format_timing(const CellResult& cell) {
     const PassTiming* const draw = draw_timing(cell);
@@ -72,36 +79,51 @@ std::string format_timing(const CellResult& cell) {
 }
 
 struct TableColumn {
-    const char* title;
     std::string_view figure;
     /// Only where a cell has it.
     bool is_optional = false;
 };
 
-std::vector<QualityCostColumn> columns_of(RankingFlip flip, const std::vector<CellResult>& cells) {
+std::vector<TableColumn> all_columns(RankingFlip flip) {
     using namespace chosen_figures;
-    const TableColumn all[] = {{"ms", cost},
-                               {"ns/pixel", ns_per_pixel},
-                               {"taps", taps},
-                               {"prep ms", preparation},
-                               {"uv p50", median_uv},
-                               {"uv p99", quality},
-                               {"depth p99", depth},
-                               {"flip", path_of(flip)},
-                               {"missed %", missed},
-                               {"false %", false_hits},
-                               {"shadow taps", shadow_taps, true},
-                               {"shadow", shadow, true},
-                               {"motion", motion, true}};
+    return {{cost},          {ns_per_pixel}, {taps},       {preparation},       {median_uv},    {quality},     {depth},
+            {path_of(flip)}, {missed},       {false_hits}, {shadow_taps, true}, {shadow, true}, {motion, true}};
+}
+
+std::vector<QualityCostColumn> columns_of(RankingFlip flip, const std::vector<CellResult>& cells) {
     std::vector<QualityCostColumn> columns;
-    for (const TableColumn& column : all) {
+    for (const TableColumn& column : all_columns(flip)) {
         const FigureDeclaration& figure = known_figure(column.figure);
         const bool is_shown =
             !column.is_optional ||
             std::any_of(cells.begin(), cells.end(), [&](const CellResult& cell) { return value_of(figure, cell); });
-        if (is_shown) columns.push_back({column.title, &figure});
+        if (is_shown) columns.push_back({column_title(figure), &figure});
     }
     return columns;
+}
+
+/// What short names and units leave unsaid; those that say the same stand together ("missed, false: % of footprint").
+std::vector<std::string> legend_of(RankingFlip flip) {
+    struct Entry {
+        std::vector<std::string> names;
+        std::string meaning;
+    };
+    std::vector<Entry> entries;
+    for (const TableColumn& column : all_columns(flip)) {
+        const FigureDeclaration& figure = known_figure(column.figure);
+        const std::string unit = figure_unit_text(figure.unit);
+        std::string meaning = !figure.legend.empty() ? figure.legend : unit.substr(unit.empty() ? 0 : 1);
+        if (meaning.empty()) continue;
+        if (&figure == &front_cost()) meaning += " ± MAD";
+        const std::string name = figure.short_label.substr(0, figure.short_label.find(' '));
+        if (entries.empty() || entries.back().meaning != meaning) entries.push_back({{}, meaning});
+        std::vector<std::string>& names = entries.back().names;
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    std::vector<std::string> legend;
+    for (const Entry& entry : entries)
+        legend.push_back(fmt::format("{}: {}", join(entry.names), entry.meaning));
+    return legend;
 }
 
 /// Fractions per cent.
@@ -149,7 +171,11 @@ std::pair<std::string, std::string> split_cell_id(const std::string& id) {
 
 QualityCostTable quality_cost_table(const std::vector<CellResult>& cells) {
     const RankingFlip flip = ranking_flip(cells);
-    QualityCostTable table{.columns = columns_of(flip, cells), .views = {}, .flip = flip};
+    QualityCostTable table{.columns = columns_of(flip, cells),
+                           .views = {},
+                           .flip = flip,
+                           .mark_legend = mark_legend(),
+                           .legend = legend_of(flip)};
     const std::vector<ViewVariant> variants = view_variants(cells);
     for (std::size_t at = 0; at < cells.size(); ++at) {
         const CellResult& cell = cells[at];

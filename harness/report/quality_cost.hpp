@@ -48,8 +48,12 @@ struct QualityCostView {
 struct QualityCostTable {
     std::vector<QualityCostColumn> columns;
     std::vector<QualityCostView> views;
-    /// Of the column "flip".
+    /// Of the column of FLIP.
     RankingFlip flip = RankingFlip::footprint;
+    /// What the marks say, a line each.
+    std::vector<std::string> mark_legend;
+    /// What the titles of all columns say, "uv: texels", whether or not a cell has the figure.
+    std::vector<std::string> legend;
 };
 
 /// ms (median ± MAD of the draw), ns per covered pixel, taps per pixel, milliseconds of preparation, UV error in

@@ -1,6 +1,7 @@
 #include "report/quality_cost_markdown.hpp"
 
 #include "core/counted.hpp"
+#include "core/suggest.hpp"
 #include "report/cautions.hpp"
 #include "report/markdown.hpp"
 #include "report/quality_cost.hpp"
@@ -55,12 +56,8 @@ std::string format_quality_cost_markdown(const Run& run) {
         text += format_view(view, table.columns);
     }
     if (!text.empty()) {
-        text += fmt::format(
-            "\\* nothing in the view is both faster and better (UV p99); ! missed + false hits above 0.5 %: its errors "
-            "do not count. ms: median ± MAD of the draw; prep: making its maps; uv: texels; depth: patch sides; "
-            "flip: {}; missed, false: % of the footprint; shadow: mean error of the lights' visibility; motion: change "
-            "of the UV error between frames, texels.\n\n",
-            extent_of(table.flip));
+        text += fmt::format("{}. {}.\n\n", markdown_text(join(table.mark_legend, "; ")),
+                            markdown_text(join(table.legend, "; ")));
         if (table.flip != RankingFlip::footprint) text += fmt::format("{}\n\n", caveat_of(table.flip));
         for (const std::string& caution : cautions(run.cells))
             text += fmt::format("**Caution:** {}\n\n", markdown_text(caution));

@@ -35,10 +35,6 @@ std::string_view path_of(RankingFlip flip) {
     return flip == RankingFlip::whole ? chosen_figures::flip_of_whole_picture : chosen_figures::flip;
 }
 
-std::string_view extent_of(RankingFlip flip) {
-    return flip == RankingFlip::whole ? "of the whole picture" : "over the footprint";
-}
-
 std::string_view caveat_of(RankingFlip flip) {
     if (flip == RankingFlip::footprint) return "";
     return "FLIP is that of the whole picture, for this run has none over the footprint: relief beyond the quad counts "

@@ -37,9 +37,6 @@ RankingFlip ranking_flip(const std::vector<CellResult>& cells);
 
 std::string_view path_of(RankingFlip flip);
 
-/// "over the footprint"
-std::string_view extent_of(RankingFlip flip);
-
 /// A sentence that has to be said of it; "" for the footprint.
 std::string_view caveat_of(RankingFlip flip);
 

@@ -1,9 +1,11 @@
 #include "report/table.hpp"
 
 #include "core/counted.hpp"
+#include "core/suggest.hpp"
 #include "report/cautions.hpp"
 #include "report/quality_cost.hpp"
 #include "report/text_layout.hpp"
+#include "store/chosen_figures.hpp"
 
 #include <fmt/format.h>
 
@@ -25,22 +27,16 @@ constexpr std::size_t variant_indent = 2;
 /// Cells named under each reason for which cells failed or were skipped.
 constexpr std::size_t unmeasured_cells_named = 3;
 
-/// Titles of the columns that give way, the first first.
-constexpr std::array<std::string_view, 6> dispensable = {"depth p99", "ns/pixel", "prep ms",
-                                                         "uv p50",    "taps",     "shadow taps"};
+/// Columns that give way, the first first.
+constexpr std::array<std::string_view, 6> dispensable = {chosen_figures::depth,       chosen_figures::ns_per_pixel,
+                                                         chosen_figures::preparation, chosen_figures::median_uv,
+                                                         chosen_figures::taps,        chosen_figures::shadow_taps};
 
 constexpr std::string_view bold = "\033[1m";
 constexpr std::string_view cyan = "\033[36m";
 constexpr std::string_view yellow = "\033[33m";
 constexpr std::string_view plain = "\033[0m";
 
-/// Takes what FLIP is of.
-constexpr const char* table_legend =
-    "* nothing in the view is both faster and better (UV p99)\n"
-    "! missed + false hits above 0.5 %: its errors do not count\n"
-    "ms: median ± MAD of the draw; prep: making its maps; uv: texels; depth: patch sides;\n"
-    "flip: 0 to 1, {}; missed, false: % of the footprint;\n"
-    "shadow: mean error of the lights' visibility; motion: change of the UV error between frames, texels\n";
 constexpr const char* colour_legend = "in each view and column: {}best third{}, {}worst third{}\n";
 
 /// Colours by rank among the rows of a view and variant, "" for the middle. Errors of rows marked '!' do not count.
@@ -102,10 +98,10 @@ public:
                 }
             }
         }
-        for (const std::string_view title : dispensable) {
+        for (const std::string_view path : dispensable) {
             if (taken() + std::min(longest_name, wanted_name_columns) <= style.columns) break;
             for (std::size_t column = 0; column < shown_.size(); ++column) {
-                if (table.columns[column].title == title) shown_[column] = false;
+                if (table.columns[column].figure->path == path) shown_[column] = false;
             }
         }
         name_width_ = std::min(longest_name, style.columns - std::min(style.columns, taken()));
@@ -198,7 +194,7 @@ std::string format_table(const std::vector<CellResult>& cells, const TableStyle&
         text += '\n';
     }
     if (!table.views.empty()) {
-        text += fmt::format(table_legend, extent_of(table.flip));
+        text += join(table.mark_legend, "\n") + '\n' + indented(join(table.legend, "; "), 0, style.columns);
         if (table.flip != RankingFlip::footprint) text += indented(caveat_of(table.flip), 0, style.columns);
         if (style.colour) text += fmt::format(colour_legend, cyan, plain, yellow, plain);
         for (const std::string& caution : cautions(cells))

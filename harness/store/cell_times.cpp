@@ -68,7 +68,8 @@ const std::vector<FieldFigure<PassTiming>>& pass_table() {
     constexpr Better lower = Better::lower;
     using Pass = PassTiming;
     static const std::vector<FieldFigure<Pass>> table = {
-        field_figure<Pass, &Pass::median_ms>(of_timing("time.draw.median_ms", "Draw time", "ms", lower)),
+        field_figure<Pass, &Pass::median_ms>(
+            in_short(of_timing("time.draw.median_ms", "Draw time", "ms", lower), "ms", "median of the draw")),
         field_figure<Pass, &Pass::mad_ms>(of_timing("time.draw.mad_ms", "Draw time, MAD", "ms", Better::neither)),
         bound_figure<&Interval::low>(of_timing("time.draw.ci95_ms.low", "Draw time, 95 % interval, low", "ms", lower)),
         bound_figure<&Interval::high>(
@@ -89,9 +90,11 @@ const std::vector<FieldFigure<CellTimes>>& cell_time_table() {
     using Times = CellTimes;
     static const std::vector<FieldFigure<Times>> table = {
         field_figure<Times, &Times::ns_per_pixel>(
-            of_timing("time.ns_per_pixel", "Draw time per covered pixel", "ns", lower)),
+            in_short(of_timing("time.ns_per_pixel", "Draw time per covered pixel", "ns", lower), "ns/pixel",
+                     "per covered pixel")),
         field_figure<Times, &Times::throttled_rounds>(count_of_timing("time.throttled_rounds", "Throttled rounds")),
-        field_figure<Times, &Times::prepare_ms>(of_timing("prepare.ms", "Preparation of maps", "ms", lower)),
+        field_figure<Times, &Times::prepare_ms>(
+            in_short(of_timing("prepare.ms", "Preparation of maps", "ms", lower), "prep ms", "making its maps")),
         field_figure<Times, &Times::prepare_bytes>(
             {.path = "prepare.bytes", .label = "Memory of maps", .unit = "bytes", .better = lower, .is_count = true}),
     };

@@ -51,6 +51,8 @@ FigureDeclaration read_figure(const JsonView& view) {
     figure.over = text("over");
     figure.infinite_at_zero = text("infinite_at_zero");
     figure.stand_in = text("stand_in");
+    figure.short_label = text("short_label");
+    figure.legend = text("legend");
     const std::vector<std::string> parts = split(figure.path, '.');
     const std::vector<std::string>& others = keys_beside_figures();
     if (parts.size() < 2 || parts.size() > max_path_parts ||
@@ -146,10 +148,11 @@ Json figures_to_json(std::span<const FigureDeclaration> list) {
                       {"better", to_string(figure.better)},
                       {"needs", figure.needs}};
         if (figure.is_count) entry["count"] = true;
-        for (const auto& [key, path] :
+        for (const auto& [key, text] :
              {std::pair("over", &figure.over), std::pair("infinite_at_zero", &figure.infinite_at_zero),
-              std::pair("stand_in", &figure.stand_in)}) {
-            if (!path->empty()) entry[key] = *path;
+              std::pair("stand_in", &figure.stand_in), std::pair("short_label", &figure.short_label),
+              std::pair("legend", &figure.legend)}) {
+            if (!text->empty()) entry[key] = *text;
         }
         json.push_back(std::move(entry));
     }

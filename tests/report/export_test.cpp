@@ -69,7 +69,7 @@ TEST(GoogleBenchmark, ACellWithoutRoundsIsOneRepetition) {
 TEST(GithubAction, IsSmallerIsBetter) {
     EXPECT_EQ(Json::parse(format_github_action(sample_run())), Json::parse(R"([{
         "name": "pom max_steps=16 | heightmap=bricks", "unit": "ms", "value": 0.5, "range": "± 0.0125",
-        "extra": "95 % interval of the median: 0.2500 to 0.7500 ms\n6 samples\n17.5 taps per pixel\nUV error p99: 0.750 texels"
+        "extra": "95 % interval of the median: 0.2500 to 0.7500 ms\n6 samples\nTaps per pixel: 17.5\nUV error, p99: 0.750 texels"
     }])"));
 }
 
@@ -183,7 +183,7 @@ TEST(QualityCostMarkdown, IsTheTableOfEachView) {
 | :---: | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |
 | \* | `pom max_steps=16` | 0.5000 ± 0.0125 | 12.5 | 17.5 | 2.00 | 0.0500 | 0.750 | 0.0100 | 0.0625 | 0.100 | 0.200 | 0.250 |
 
-\* nothing in the view is both faster and better (UV p99); ! missed + false hits above 0.5 %: its errors do not count. ms: median ± MAD of the draw; prep: making its maps; uv: texels; depth: patch sides; flip: over the footprint; missed, false: % of the footprint; shadow: mean error of the lights' visibility; motion: change of the UV error between frames, texels.
+\* nothing in the view is both faster and better (uv p99); ! missed + false hits above 0.5 %: its errors do not count. ms: median of the draw ± MAD; ns/pixel: per covered pixel; prep: making its maps; uv: texels; depth: patch sides; flip: 0 to 1, over the footprint; missed, false: % of footprint; shadow: mean error of the lights' visibility; motion: change of the UV error between frames, texels.
 
 <details><summary>1 cell failed</summary>
 

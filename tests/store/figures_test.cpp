@@ -183,7 +183,8 @@ Json record_with(const Json& figure) {
 
 const Json off_chart = {{"path", "error.off_chart.mean"},     {"label", "Off the chart"},
                         {"unit", "fraction of footprint"},    {"better", "lower"},
-                        {"needs", {"truth", "a later need"}}, {"a later key", 1}};
+                        {"needs", {"truth", "a later need"}}, {"a later key", 1},
+                        {"short_label", "chart p1"},          {"legend", "how far off"}};
 
 TEST(FiguresOfARun, AreThoseOfThisVersionWhereItDeclaresNoOthers) {
     EXPECT_EQ(figures_of_record(Json::object(), "run.json"), declared_figures());
@@ -196,6 +197,10 @@ TEST(FiguresOfARun, ThatALaterVersionDeclaredAreReadAndWritten) {
     ASSERT_NE(figure, nullptr);
     EXPECT_EQ(figure->label, "Off the chart");
     EXPECT_EQ(figure->better, Better::lower);
+    EXPECT_EQ(figure->short_label, "chart p1");
+    EXPECT_EQ(figure->legend, "how far off");
+    EXPECT_EQ(figures_of_record({{"figures", figures_to_json(list->all())}}, "run.json")->all().back().legend,
+              figure->legend);
     EXPECT_TRUE(is_error(*figure));
     Json json = to_json(complete_cell());
     json["error"]["off_chart"] = {{"mean", 0.25}};
