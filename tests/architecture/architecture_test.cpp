@@ -175,24 +175,6 @@ TEST(Architecture, ThirdPartyHeadersStayBehindTheirInterface) {
         EXPECT_TRUE(met.contains(prefix)) << "nothing includes " << prefix << ": what confines it checks nothing";
 }
 
-TEST(Architecture, CellsAreMadeReadyInOnePlace) {
-    // A renderer that is constructed, not one that is declared, handed on or returned.
-    const std::regex made_renderer("\\bRenderer (\\w+)\\((?!const )\\w");
-    const std::regex caught_allocation("catch \\(const (std::bad_alloc)");
-    std::set<std::string> makers;
-    std::set<std::string> catchers;
-    for (const fs::path& file : files_below(source_root / "harness", {".hpp", ".cpp"})) {
-        const std::string name = fs::relative(file, source_root / "harness").generic_string();
-        const std::string text = read(file);
-        if (!name.starts_with("technique/") && !matches(text, made_renderer).empty()) makers.insert(name);
-        if (!matches(text, caught_allocation).empty()) catchers.insert(name);
-    }
-    // Checks draw what is no cell of any configuration, and take the verdict from technique/draw_verdict.hpp alike.
-    EXPECT_EQ(makers, (std::set<std::string>{"measure/laboratory.cpp", "verify/drawing.cpp"}));
-    // The compiler's child process tells its parent.
-    EXPECT_EQ(catchers, (std::set<std::string>{"core/attempt.cpp", "core/limited_child.cpp"}));
-}
-
 TEST(Architecture, ATypesNameIsItsOwn) {
     // Two of one name in one program: the linker would take either's destructor for both.
     const std::regex declared_namespace("\\nnamespace (reliefbench[a-z:_]*) \\{");
