@@ -161,6 +161,21 @@ private:
     std::size_t name_width_ = 0;
 };
 
+/// Entries of a legend, none broken but one that is wider than a line.
+std::string in_lines(const std::vector<std::string>& entries, std::size_t columns) {
+    constexpr std::string_view between = "; ";
+    std::string text;
+    std::string line;
+    for (const std::string& entry : entries) {
+        if (!line.empty() && text_width(line + entry) + between.size() >= columns) {
+            text += indented(line + ';', 0, columns);
+            line.clear();
+        }
+        line += line.empty() ? entry : std::string(between) + entry;
+    }
+    return text + indented(line, 0, columns);
+}
+
 /// Cells of one status by their reasons.
 std::string format_reasons(const std::vector<CellResult>& cells, CellStatus status, std::string_view word,
                            std::size_t columns) {
@@ -194,7 +209,7 @@ std::string format_table(const std::vector<CellResult>& cells, const TableStyle&
         text += '\n';
     }
     if (!table.views.empty()) {
-        text += join(table.mark_legend, "\n") + '\n' + indented(join(table.legend, "; "), 0, style.columns);
+        text += join(table.mark_legend, "\n") + '\n' + in_lines(table.legend, style.columns);
         if (table.flip != RankingFlip::footprint) text += indented(caveat_of(table.flip), 0, style.columns);
         if (style.colour) text += fmt::format(colour_legend, cyan, plain, yellow, plain);
         for (const std::string& caution : cautions(cells))
