@@ -33,6 +33,11 @@ bool FigureDeclaration::has_need(std::string_view need) const {
     return std::find(needs.begin(), needs.end(), need) != needs.end();
 }
 
+FigureDeclaration at_percentile(double percent, FigureDeclaration figure) {
+    figure.percent_of_pixels = percent;
+    return figure;
+}
+
 FigureDeclaration in_short(FigureDeclaration figure, std::string short_label, std::string legend) {
     figure.short_label = std::move(short_label);
     figure.legend = std::move(legend);

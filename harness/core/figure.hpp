@@ -52,6 +52,9 @@ struct FigureDeclaration {
     std::string infinite_at_zero = {};
     /// Path of the figure that decides in its place where a run is too old to have this one.
     std::string stand_in = {};
+    /// Per cent of the pixels in which what it is of is at most the figure: 99.9; empty where it is no percentile over
+    /// the pixels of one picture.
+    std::optional<double> percent_of_pixels = {};
     /// What it is called where there is little room, as the title of a column: "uv p99". Empty where nothing calls it
     /// so.
     std::string short_label = {};
@@ -60,6 +63,9 @@ struct FigureDeclaration {
 
     bool has_need(std::string_view need) const;
 };
+
+/// The figure as a percentile over the pixels of a picture.
+FigureDeclaration at_percentile(double percent, FigureDeclaration figure);
 
 /// The figure with its name for narrow columns.
 FigureDeclaration in_short(FigureDeclaration figure, std::string short_label, std::string legend = {});

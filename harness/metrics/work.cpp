@@ -13,12 +13,12 @@ const std::vector<FigureOf<WorkSummary>>& work_table() {
     static const std::vector<FigureOf<Work>> table = {
         {in_short({"work.taps_mean", "Taps per pixel", "", lower}, "taps"),
          [](const Work& w) { return std::optional(w.taps_mean()); }},
-        {{"work.taps_p95", "Taps per pixel, p95", "", lower},
+        {at_percentile(95, {"work.taps_p95", "Taps per pixel, p95", "", lower}),
          [](const Work& w) { return std::optional(w.taps_p95()); }},
         {{"work.texels_mean", "Texels read per pixel", "", lower},
          [](const Work& w) { return std::optional(w.texels_mean()); }},
         {{"work.steps_mean", "Steps per pixel", "", lower}, [](const Work& w) { return std::optional(w.steps.mean); }},
-        {{"work.steps_p95", "Steps per pixel, p95", "", lower},
+        {at_percentile(95, {"work.steps_p95", "Steps per pixel, p95", "", lower}),
          [](const Work& w) { return std::optional(w.steps.p95); }},
         {{"work.unconverged", "Unconverged searches", "fraction of covered pixels", lower},
          [](const Work& w) { return std::optional(w.unconverged); }},
@@ -26,7 +26,7 @@ const std::vector<FigureOf<WorkSummary>>& work_table() {
          [](const Work& w) { return std::optional(static_cast<double>(w.covered_pixels)); }},
         {in_short({"work.shadow_taps_mean", "Shadow taps per pixel", "", lower, shadows}, "shadow taps"),
          [](const Work& w) { return w.shadow_taps ? std::optional(w.shadow_taps->mean) : std::nullopt; }},
-        {{"work.shadow_taps_p95", "Shadow taps per pixel, p95", "", lower, shadows},
+        {at_percentile(95, {"work.shadow_taps_p95", "Shadow taps per pixel, p95", "", lower, shadows}),
          [](const Work& w) { return w.shadow_taps ? std::optional(w.shadow_taps->p95) : std::nullopt; }},
     };
     return table;

@@ -51,6 +51,7 @@ FigureDeclaration read_figure(const JsonView& view) {
     figure.over = text("over");
     figure.infinite_at_zero = text("infinite_at_zero");
     figure.stand_in = text("stand_in");
+    if (view.has("percent_of_pixels")) figure.percent_of_pixels = view.at("percent_of_pixels").number();
     figure.short_label = text("short_label");
     figure.legend = text("legend");
     const std::vector<std::string> parts = split(figure.path, '.');
@@ -148,6 +149,7 @@ Json figures_to_json(std::span<const FigureDeclaration> list) {
                       {"better", to_string(figure.better)},
                       {"needs", figure.needs}};
         if (figure.is_count) entry["count"] = true;
+        if (figure.percent_of_pixels) entry["percent_of_pixels"] = *figure.percent_of_pixels;
         for (const auto& [key, text] :
              {std::pair("over", &figure.over), std::pair("infinite_at_zero", &figure.infinite_at_zero),
               std::pair("stand_in", &figure.stand_in), std::pair("short_label", &figure.short_label),

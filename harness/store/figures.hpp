@@ -68,7 +68,7 @@ const FigureDeclaration* find_figure(std::string_view path);
 const FigureDeclaration& known_figure(std::string_view path);
 
 /// `[{"path", "label", "unit", "better": "lower"|"higher"|"neither", "needs": [...]}, ...]`, with `count`, `over`,
-/// `infinite_at_zero`, `stand_in`, `short_label` and `legend` where there is something to say.
+/// `infinite_at_zero`, `stand_in`, `percent_of_pixels`, `short_label` and `legend` where there is something to say.
 Json figures_to_json(std::span<const FigureDeclaration> list = figures());
 
 /// Those of this program and, after them, those that a later version declared in `figures` of its run.json; `record` is

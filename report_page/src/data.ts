@@ -139,6 +139,8 @@ export interface Figure {
   infinite_at_zero?: string;
   /** Path of the figure that decides where a run is too old to have this one. */
   stand_in?: string;
+  /** Of a percentile over the pixels of a picture: per cent of them in which what it is of is at most the figure. */
+  percent_of_pixels?: number;
 }
 
 export interface Tolerance {

@@ -31,9 +31,7 @@ export const shortNames: Readonly<Record<string, readonly string[]>> = names;
 /** Of the maps of errors beside the pictures. */
 export const usualMap = "uv_error";
 
-/** The group of figures (the first part of their paths) whose percentiles are over pixels of a picture. */
-export const groupOfPixels = "error";
-/** Groups of figures that say what a cell takes besides the time of its passes. */
+/** Groups of figures (the first part of their paths) that say what a cell takes besides the time of its passes. */
 export const spentGroups = ["prepare", "work"];
 
 /** The pass that cells are compared by. */

@@ -26,6 +26,8 @@ export interface Metric {
   unit: string;
   better: Better;
   role: "cost" | "error";
+  /** Of a percentile over the pixels of a picture. */
+  percentOfPixels?: number | undefined;
   /** In the unit. */
   tolerance: Tolerance;
   /** In the unit. Infinite for the PSNR of pictures that are equal. */
@@ -76,6 +78,7 @@ function metricOf(figure: Figure, better: Better): Metric {
     unit: shownUnit(figure.unit),
     better,
     role: isCost(figure) ? "cost" : "error",
+    percentOfPixels: figure.percent_of_pixels,
     tolerance: { ...figure.tolerance, absolute: shownScale(figure.unit) * figure.tolerance.absolute },
     of: (cells, cell) => shownFigure(cells, figure)(cell),
   };

@@ -77,10 +77,10 @@ test("lists to choose from have headings, and no figure is lost among them", () 
 
 test("what the page chooses is in reliefbench's list", () => {
   const paths = new Set(figures.map(({ path }) => path));
-  const { groupOfPixels, spentGroups, wrongHits, usualMap, stopWord, drawPass, ...chosen } = defaults;
+  const { spentGroups, wrongHits, usualMap, stopWord, drawPass, ...chosen } = defaults;
   for (const path of Object.values(chosen).flatMap((value) => (typeof value === "string" ? [value] : valuesOf(value))))
     assert.ok(paths.has(path), path);
-  for (const group of [groupOfPixels, ...spentGroups])
+  for (const group of spentGroups)
     assert.ok(
       figures.some(({ path }) => path.startsWith(`${group}.`)),
       group,

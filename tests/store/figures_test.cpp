@@ -122,6 +122,24 @@ TEST(Figures, SayWhatTheyNeed) {
     EXPECT_EQ(find_figure("error.wrong_surface")->needs, (std::vector<std::string>{"truth", "object"}));
 }
 
+/// "p99.9" and "median" of their labels, where these are percentiles over the pixels of one picture.
+TEST(Figures, SayWhichPercentileTheyAre) {
+    std::size_t percentiles = 0;
+    for (const FigureDeclaration& figure : figures()) {
+        const std::size_t comma = figure.label.rfind(", ");
+        const std::string statistic = comma == std::string::npos ? "" : figure.label.substr(comma + 2);
+        const bool is_percentile = statistic == "median" || std::regex_match(statistic, std::regex("p[0-9.]+"));
+        if (is_percentile && !figure.has_need(figure_needs::motion)) {
+            EXPECT_EQ(figure.percent_of_pixels, statistic == "median" ? 50 : std::stod(statistic.substr(1)))
+                << figure.path;
+            ++percentiles;
+        } else {
+            EXPECT_FALSE(figure.percent_of_pixels) << figure.path;
+        }
+    }
+    EXPECT_GE(percentiles, 10U);
+}
+
 TEST(Figures, NameOnlyFiguresThatThereAre) {
     for (const FigureDeclaration& figure : figures()) {
         for (const std::string& other : {figure.over, figure.infinite_at_zero, figure.stand_in})
@@ -181,10 +199,15 @@ Json record_with(const Json& figure) {
     return {{"figures", list}};
 }
 
-const Json off_chart = {{"path", "error.off_chart.mean"},     {"label", "Off the chart"},
-                        {"unit", "fraction of footprint"},    {"better", "lower"},
-                        {"needs", {"truth", "a later need"}}, {"a later key", 1},
-                        {"short_label", "chart p1"},          {"legend", "how far off"}};
+const Json off_chart = {{"path", "error.off_chart.mean"},
+                        {"label", "Off the chart"},
+                        {"unit", "fraction of footprint"},
+                        {"better", "lower"},
+                        {"needs", {"truth", "a later need"}},
+                        {"a later key", 1},
+                        {"percent_of_pixels", 12.5},
+                        {"short_label", "chart p1"},
+                        {"legend", "how far off"}};
 
 TEST(FiguresOfARun, AreThoseOfThisVersionWhereItDeclaresNoOthers) {
     EXPECT_EQ(figures_of_record(Json::object(), "run.json"), declared_figures());
@@ -197,6 +220,7 @@ TEST(FiguresOfARun, ThatALaterVersionDeclaredAreReadAndWritten) {
     ASSERT_NE(figure, nullptr);
     EXPECT_EQ(figure->label, "Off the chart");
     EXPECT_EQ(figure->better, Better::lower);
+    EXPECT_EQ(figure->percent_of_pixels, 12.5);
     EXPECT_EQ(figure->short_label, "chart p1");
     EXPECT_EQ(figure->legend, "how far off");
     EXPECT_EQ(figures_of_record({{"figures", figures_to_json(list->all())}}, "run.json")->all().back().legend,

@@ -1,8 +1,7 @@
 // Figures of advice in words.
 
 import type { Candidate, Question } from "../advice.ts";
-import { drawTime, groupOfPixels } from "../defaults.ts";
-import { groupOf } from "../figures.ts";
+import { drawTime } from "../defaults.ts";
 import { type Metric, metricText } from "../metrics.ts";
 import { significant } from "../numbers.ts";
 
@@ -30,10 +29,9 @@ export function lessText(value: number, before: number): string {
 
 /** "99 % of its pixels lie within 0.031 texels" */
 export function errorWords(error: Metric, value: number): string {
-  const percentile = /\.p(\d+)$/.exec(error.id);
-  if (percentile && error.better === "lower" && groupOf(error.id) === groupOfPixels) {
+  if (error.percentOfPixels !== undefined && error.better === "lower") {
     const bound = value === 0 ? "have no error" : `are within ${metricText(error, value)}`;
-    return `${percentile[1]} % of its pixels ${bound}`;
+    return `${error.percentOfPixels} % of its pixels ${bound}`;
   }
   return labelled(error, value);
 }
