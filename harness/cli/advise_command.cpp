@@ -13,6 +13,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -109,8 +111,8 @@ void add_advise_command(CLI::App& app, ChosenCommand& chosen) {
         ->type_name("FIGURE=VALUE");
     command
         ->add_option("--rank-by", options->rank_by,
-                     "The figure by which quality is ranked; default: image.footprint.flip (image.flip in runs of "
-                     "0.1.0)")
+                     fmt::format("The figure by which quality is ranked; default: {} ({} in runs of 0.1.0)",
+                                 chosen_figures::flip, chosen_figures::flip_of_whole_picture))
         ->type_name("FIGURE");
     add_repeated_option(*command, "--cell", options->cells,
                         "Only cells whose id contains this (may be repeated; any may match)")

@@ -4,8 +4,10 @@
 
 namespace reliefbench {
 
-/// The figures that something goes by, or that are shown where nobody asks for others. No other file names a figure but
-/// the one that declares it; a test holds that these are declared.
+/// The figures that something goes by, or that are shown where nobody asks for others. No other source of the program
+/// names a figure but the one that declares it; a test holds that these are declared. Beside the program,
+/// report_page/src/defaults.ts and scripts/plotted_figures.py choose theirs, and scripts/short_names.json has words to
+/// type.
 namespace chosen_figures {
 
 // What the Pareto front and advice weigh against each other.
