@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -177,9 +178,28 @@ TEST_F(Version010, ARunIsComparedCellByCellWithARunOfToday) {
     EXPECT_THAT(in_both, testing::ElementsAre(HasSubstr("steep step_rounding=integer | ")));
 }
 
+/// Numbers and nulls of a group of figures by path, "error.uv_texels.p99".
+std::map<std::string, Json> leaves_of(const std::string& path, const Json& json) {
+    if (!json.is_object()) return {{path, json}};
+    std::map<std::string, Json> leaves;
+    for (const auto& [key, member] : json.items())
+        leaves.merge(leaves_of(path + "." + key, member));
+    return leaves;
+}
+
+/// Of what 0.1.0 computed and this version does, relative: none on the device of the fixture, but for RMSE and PSNR,
+/// whose squares 0.1.0 summed in another order (1e-15 was seen). Other devices have other rounding.
+double tolerance_of(const std::string& path, bool is_device_of_then) {
+    if (!is_device_of_then) return 1e-6;
+    return path == "image.rmse" || path == "image.psnr" ? 1e-13 : 0;
+}
+
 /// One of each kind, written by the page that described the contract then.
 TEST_F(Version010, TechniquesOfStrangersGoOnWorking) {
     succeed({"run", fixture("strangers_part1/run.json"), "--techniques", fixture("techniques"), "-o", path("again")});
+    const bool is_device_of_then = Json::parse(read_file(path("again/run.json"))).at("device") ==
+                                   Json::parse(read_file(fixture("strangers_part1/run.json"))).at("device");
+    int compared = 0;
     std::map<std::string, Json> now;
     for (const Json& line : read_lines(path("again/cells.jsonl"))) {
         now[line.at("cell").get<std::string>()] = line;
@@ -188,11 +208,22 @@ TEST_F(Version010, TechniquesOfStrangersGoOnWorking) {
         const auto found = now.find(then.at("cell").get<std::string>());
         ASSERT_NE(found, now.end()) << then.at("cell");
         EXPECT_EQ(found->second.at("status"), then.at("status"));
-        EXPECT_EQ(found->second.at("work").at("taps_mean"), then.at("work").at("taps_mean")) << then.at("cell");
-        EXPECT_NEAR(found->second.at("error").at("uv_texels").at("p95").get<double>(),
-                    then.at("error").at("uv_texels").at("p95").get<double>(), 1e-6)
-            << then.at("cell");
+        for (const char* group : {"work", "error", "image"}) {
+            const std::map<std::string, Json> figures_then = leaves_of(group, then.at(group));
+            const std::map<std::string, Json> figures_now = leaves_of(group, found->second.at(group));
+            for (const auto& [figure, value] : figures_then) {
+                ASSERT_TRUE(figures_now.contains(figure)) << figure;
+                SCOPED_TRACE(then.at("cell").get<std::string>() + ": " + figure);
+                const Json& now_value = figures_now.at(figure);
+                ASSERT_EQ(now_value.is_number(), value.is_number());
+                if (!value.is_number()) continue;
+                ++compared;
+                EXPECT_NEAR(now_value.get<double>(), value.get<double>(),
+                            tolerance_of(figure, is_device_of_then) * std::abs(value.get<double>()));
+            }
+        }
     }
+    EXPECT_GE(compared, 400);
 }
 
 }  // namespace
