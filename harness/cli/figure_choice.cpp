@@ -46,14 +46,17 @@ FigureChoices figures_to_choose(std::span<const StoredRun> runs) {
     return all;
 }
 
-/// Figures that a short name means: those whose path ends so, else those that have all its words in their path or
-/// label. Deeper paths first, as what is of a part decides ("image.footprint.flip" before "image.flip").
+/// Figures that a short name means: those that tables call so, else those whose path ends so, else those that have all
+/// its words in their path or label. Deeper paths first, as what is of a part decides ("image.footprint.flip" before
+/// "image.flip").
 std::vector<std::string> figures_meant(const std::string& name, const FigureChoices& choices) {
     const std::vector<std::string> words = words_of_figure(name);
     if (words.empty()) return {};
+    std::vector<std::string> called;
     std::vector<std::string> ending;
     std::vector<std::string> having;
     for (const FigureDeclaration* figure : choices) {
+        if (words_of_figure(figure->short_label) == words) called.push_back(figure->path);
         std::vector<std::string> known = words_of_figure(figure->path);
         if (known.size() >= words.size() &&
             std::equal(words.begin(), words.end(), known.end() - static_cast<std::ptrdiff_t>(words.size()))) {
@@ -66,7 +69,7 @@ std::vector<std::string> figures_meant(const std::string& name, const FigureChoi
         });
         if (has_all) having.push_back(figure->path);
     }
-    std::vector<std::string>& meant = ending.empty() ? having : ending;
+    std::vector<std::string>& meant = !called.empty() ? called : !ending.empty() ? ending : having;
     std::stable_sort(meant.begin(), meant.end(), [](const std::string& a, const std::string& b) {
         return std::count(a.begin(), a.end(), '.') > std::count(b.begin(), b.end(), '.');
     });

@@ -122,6 +122,8 @@ TEST_F(BadInput, AShortNameOfAFigureGetsThoseThatItMayMean) {
                 HasSubstr("--limit: there is no figure 'flip' (did you mean image.footprint.flip, image.flip?)"));
     EXPECT_THAT(reliefbench({"advise", run, "--flip", "1", "--rank-by", "uv p99"}).err,
                 HasSubstr("--rank-by: there is no figure 'uv p99' (did you mean error.uv_texels.p99?)"));
+    EXPECT_THAT(reliefbench({"advise", run, "--flip", "1", "--rank-by", "shadow"}).err,
+                HasSubstr("--rank-by: there is no figure 'shadow' (did you mean error.shadow.mean?)"));
     EXPECT_THAT(reliefbench({"advise", run, "--flip", "1", "--rank-by", "uv"}).err, HasSubstr("error.uv_texels.p99"));
     EXPECT_THAT(
         reliefbench({"compare", "--quality", "--quality-figures", "flip", run, path("copy")}).err,
