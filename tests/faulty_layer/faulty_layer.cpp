@@ -121,11 +121,11 @@ constexpr std::array device_functions{
 PFN_vkGetInstanceProcAddr next_instance_function = nullptr;
 PFN_vkGetDeviceProcAddr next_device_function = nullptr;
 PFN_vkCreateGraphicsPipelines next_create_graphics_pipelines = nullptr;
-PFN_vkGetPhysicalDeviceFeatures next_get_features = nullptr;
+PFN_vkGetPhysicalDeviceFeatures2 next_get_features = nullptr;
 
-VKAPI_ATTR void VKAPI_CALL get_features(VkPhysicalDevice device, VkPhysicalDeviceFeatures* features) {
+VKAPI_ATTR void VKAPI_CALL get_features(VkPhysicalDevice device, VkPhysicalDeviceFeatures2* features) {
     next_get_features(device, features);
-    if (std::getenv("RELIEFBENCH_WITHOUT_TESSELLATION") != nullptr) features->tessellationShader = VK_FALSE;
+    if (std::getenv("RELIEFBENCH_WITHOUT_TESSELLATION") != nullptr) features->features.tessellationShader = VK_FALSE;
 }
 
 /// Whether the variable of the environment names a value of one of the pipeline's specialization constants.
@@ -223,8 +223,8 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL get_instance_function(VkInstance instan
     if (wanted == "vkGetInstanceProcAddr") return reinterpret_cast<PFN_vkVoidFunction>(&get_instance_function);
     if (wanted == "vkGetDeviceProcAddr") return reinterpret_cast<PFN_vkVoidFunction>(&get_device_function);
     const PFN_vkVoidFunction next = next_instance_function(instance, name);
-    if (wanted == "vkGetPhysicalDeviceFeatures") {
-        next_get_features = reinterpret_cast<PFN_vkGetPhysicalDeviceFeatures>(next);
+    if (wanted == "vkGetPhysicalDeviceFeatures2") {
+        next_get_features = reinterpret_cast<PFN_vkGetPhysicalDeviceFeatures2>(next);
         return reinterpret_cast<PFN_vkVoidFunction>(&get_features);
     }
     return intercept(instance_functions, name, next);
