@@ -4,6 +4,7 @@
 #include "gpu/instructions.hpp"
 
 #include <fmt/format.h>
+#include <spirv/unified1/spirv.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -14,89 +15,36 @@ namespace reliefbench::gpu {
 
 namespace {
 
-/// SPIR-V 1.6, section 3.
-namespace spv {
-constexpr std::uint32_t op_name = 5;
-constexpr std::uint32_t op_line = 8;
-constexpr std::uint32_t op_ext_inst = 12;
-constexpr std::uint32_t op_execution_mode = 16;
-constexpr std::uint32_t op_type_int = 21;
-constexpr std::uint32_t op_type_float = 22;
-constexpr std::uint32_t op_type_vector = 23;
-constexpr std::uint32_t op_type_matrix = 24;
-constexpr std::uint32_t op_type_image = 25;
-constexpr std::uint32_t op_type_sampler = 26;
-constexpr std::uint32_t op_type_sampled_image = 27;
-constexpr std::uint32_t op_type_array = 28;
-constexpr std::uint32_t op_type_runtime_array = 29;
-constexpr std::uint32_t op_type_struct = 30;
-constexpr std::uint32_t op_type_pointer = 32;
-constexpr std::uint32_t op_constant = 43;
-constexpr std::uint32_t op_function = 54;
-constexpr std::uint32_t op_variable = 59;
-constexpr std::uint32_t op_load = 61;
-constexpr std::uint32_t op_store = 62;
-constexpr std::uint32_t op_copy_memory = 63;
-constexpr std::uint32_t op_array_length = 68;
-constexpr std::uint32_t op_decorate = 71;
-constexpr std::uint32_t op_member_decorate = 72;
-constexpr std::uint32_t op_vector_shuffle = 79;
-constexpr std::uint32_t op_composite_extract = 81;
-constexpr std::uint32_t op_composite_insert = 82;
-constexpr std::uint32_t op_image_first = 87;
-constexpr std::uint32_t op_image_last = 99;
-constexpr std::uint32_t op_loop_merge = 246;
-constexpr std::uint32_t op_selection_merge = 247;
-constexpr std::uint32_t op_branch_conditional = 250;
-constexpr std::uint32_t op_switch = 251;
-constexpr std::uint32_t op_image_sparse_first = 305;
-constexpr std::uint32_t op_image_sparse_last = 320;
-constexpr std::uint32_t op_execution_mode_id = 331;
-constexpr std::uint32_t op_type_acceleration_structure = 5341;
-constexpr std::uint32_t mode_local_size = 17;
-constexpr std::uint32_t mode_local_size_id = 38;
-constexpr std::uint32_t storage_uniform = 2;
-constexpr std::uint32_t storage_push_constant = 9;
-constexpr std::uint32_t storage_buffer = 12;
-constexpr std::uint32_t dimension_buffer = 5;
-constexpr std::uint32_t dimension_subpass_data = 6;
+/// Of the operand `Sampled` of OpTypeImage: 2 is a storage image.
 constexpr std::uint32_t image_is_sampled = 1;
-constexpr std::uint32_t spec_id = 1;
-constexpr std::uint32_t row_major = 4;
-constexpr std::uint32_t array_stride = 6;
-constexpr std::uint32_t matrix_stride = 7;
-constexpr std::uint32_t binding = 33;
-constexpr std::uint32_t descriptor_set = 34;
-constexpr std::uint32_t offset = 35;
-}  // namespace spv
 
 /// The words of a function's instruction among which ids of variables can be. Left out are numbers, which may be any,
 /// and instructions that take no pointers but have such numbers (OpImageTexelPointer is none of those of images).
 std::span<const std::uint32_t> words_with_ids(const Instruction& instruction) {
     const auto& [op, words] = instruction;
     const auto first = [&all = words](std::size_t count) { return all.first(std::min(count, all.size())); };
-    if (op >= spv::op_image_first && op <= spv::op_image_last) return {};
-    if (op >= spv::op_image_sparse_first && op <= spv::op_image_sparse_last) return {};
+    if (op >= spv::OpImageSampleImplicitLod && op <= spv::OpImageWrite) return {};
+    if (op >= spv::OpImageSparseSampleImplicitLod && op <= spv::OpImageSparseRead) return {};
     switch (op) {
-        case spv::op_line:
-        case spv::op_function:
-        case spv::op_variable:
-        case spv::op_loop_merge:
-        case spv::op_selection_merge:
-        case spv::op_branch_conditional:
-        case spv::op_switch:
+        case spv::OpLine:
+        case spv::OpFunction:
+        case spv::OpVariable:
+        case spv::OpLoopMerge:
+        case spv::OpSelectionMerge:
+        case spv::OpBranchConditional:
+        case spv::OpSwitch:
             return {};
-        case spv::op_store:
-        case spv::op_copy_memory:
+        case spv::OpStore:
+        case spv::OpCopyMemory:
             return first(3).subspan(1);
-        case spv::op_load:
-        case spv::op_array_length:
-        case spv::op_composite_extract:
+        case spv::OpLoad:
+        case spv::OpArrayLength:
+        case spv::OpCompositeExtract:
             return first(4).subspan(1);
-        case spv::op_composite_insert:
-        case spv::op_vector_shuffle:
+        case spv::OpCompositeInsert:
+        case spv::OpVectorShuffle:
             return first(5).subspan(1);
-        case spv::op_ext_inst:
+        case spv::OpExtInst:
             return words.subspan(5);
         default:
             return words.subspan(1);
@@ -109,7 +57,7 @@ class Declarations {
 public:
     explicit Declarations(const SpirV& module) {
         for_each_instruction(module, [&](const Instruction& instruction) {
-            in_functions_ = in_functions_ || instruction.op == spv::op_function;
+            in_functions_ = in_functions_ || instruction.op == spv::OpFunction;
             if (in_functions_)
                 find_uses(instruction);
             else
@@ -120,7 +68,7 @@ public:
     /// Those outside functions, and whether a function refers to them: Vulkan's static use, for the compiler leaves out
     /// functions that nobody calls.
     const std::map<std::uint32_t, bool>& variables() const { return variables_; }
-    const std::map<std::uint32_t, std::uint32_t>& constant_ids() const { return decorated(spv::spec_id); }
+    const std::map<std::uint32_t, std::uint32_t>& constant_ids() const { return decorated(spv::DecorationSpecId); }
 
     std::uint32_t storage_class(std::uint32_t variable) const { return word(variable, 3); }
     /// What the variable's pointer points to.
@@ -149,7 +97,7 @@ public:
         std::array<std::uint32_t, 3> size = local_size_;
         if (!local_size_by_id_) return size;
         for (std::uint32_t& side : size) {
-            if (op(side) != spv::op_constant) fail("the size of the shader's work groups is no constant");
+            if (op(side) != spv::OpConstant) fail("the size of the shader's work groups is no constant");
             side = word(side, 3);
         }
         return size;
@@ -160,7 +108,7 @@ public:
         const auto& words = find(type).words;
         std::uint32_t end = 0;
         for (std::uint32_t member = 0; member + 2 < words.size(); ++member)
-            end = std::max(end, member_decoration({type, member}, spv::offset) +
+            end = std::max(end, member_decoration({type, member}, spv::DecorationOffset) +
                                     size_of(words[member + 2], {type, member}, block));
         return end;
     }
@@ -172,40 +120,40 @@ private:
     void add(const Instruction& instruction) {
         const auto& [op, words] = instruction;
         switch (op) {
-            case spv::op_name:
+            case spv::OpName:
                 names_[words[1]] = text_of(words.subspan(2));
                 break;
-            case spv::op_execution_mode:
-            case spv::op_execution_mode_id:
-                if (words[2] != spv::mode_local_size && words[2] != spv::mode_local_size_id) break;
+            case spv::OpExecutionMode:
+            case spv::OpExecutionModeId:
+                if (words[2] != spv::ExecutionModeLocalSize && words[2] != spv::ExecutionModeLocalSizeId) break;
                 local_size_ = {words[3], words[4], words[5]};
-                local_size_by_id_ = op == spv::op_execution_mode_id;
+                local_size_by_id_ = op == spv::OpExecutionModeId;
                 break;
-            case spv::op_decorate:
+            case spv::OpDecorate:
                 if (words.size() > 3) decorations_[words[2]][words[1]] = words[3];
                 break;
-            case spv::op_member_decorate:
+            case spv::OpMemberDecorate:
                 member_decorations_[words[3]][{words[1], words[2]}] = words.size() > 4 ? words[4] : 0;
                 break;
-            case spv::op_variable:
+            case spv::OpVariable:
                 variables_.emplace(words[2], false);
                 instructions_[words[2]] = instruction;
                 break;
-            case spv::op_constant:
+            case spv::OpConstant:
                 instructions_[words[2]] = instruction;
                 break;
-            case spv::op_type_int:
-            case spv::op_type_float:
-            case spv::op_type_vector:
-            case spv::op_type_matrix:
-            case spv::op_type_image:
-            case spv::op_type_sampler:
-            case spv::op_type_sampled_image:
-            case spv::op_type_array:
-            case spv::op_type_runtime_array:
-            case spv::op_type_struct:
-            case spv::op_type_pointer:
-            case spv::op_type_acceleration_structure:
+            case spv::OpTypeInt:
+            case spv::OpTypeFloat:
+            case spv::OpTypeVector:
+            case spv::OpTypeMatrix:
+            case spv::OpTypeImage:
+            case spv::OpTypeSampler:
+            case spv::OpTypeSampledImage:
+            case spv::OpTypeArray:
+            case spv::OpTypeRuntimeArray:
+            case spv::OpTypeStruct:
+            case spv::OpTypePointer:
+            case spv::OpTypeAccelerationStructureKHR:
                 instructions_[words[1]] = instruction;
                 break;
             default:
@@ -240,7 +188,7 @@ private:
         return found == all->second.end() ? 0 : found->second;
     }
     bool is_row_major(const Member& member) const {
-        const auto all = member_decorations_.find(spv::row_major);
+        const auto all = member_decorations_.find(spv::DecorationRowMajor);
         return all != member_decorations_.end() && all->second.contains(member);
     }
 
@@ -248,23 +196,23 @@ private:
     std::uint32_t size_of(std::uint32_t type, const Member& member, const std::string& block) const {
         constexpr std::uint32_t bits_per_byte = 8;
         switch (op(type)) {
-            case spv::op_type_int:
-            case spv::op_type_float:
+            case spv::OpTypeInt:
+            case spv::OpTypeFloat:
                 return word(type, 2) / bits_per_byte;
-            case spv::op_type_vector:
+            case spv::OpTypeVector:
                 return word(type, 3) * size_of(word(type, 2), member, block);
-            case spv::op_type_matrix: {
+            case spv::OpTypeMatrix: {
                 const std::uint32_t columns = word(type, 3);
                 const std::uint32_t rows = word(word(type, 2), 3);
-                return (is_row_major(member) ? rows : columns) * member_decoration(member, spv::matrix_stride);
+                return (is_row_major(member) ? rows : columns) * member_decoration(member, spv::DecorationMatrixStride);
             }
-            case spv::op_type_array: {
+            case spv::OpTypeArray: {
                 const std::uint32_t length = word(type, 3);
-                if (op(length) != spv::op_constant)
+                if (op(length) != spv::OpConstant)
                     fail("the shader's push constants '{}' have an array whose length is no plain constant", block);
-                return word(length, 3) * decoration(type, spv::array_stride);
+                return word(length, 3) * decoration(type, spv::DecorationArrayStride);
             }
-            case spv::op_type_struct:
+            case spv::OpTypeStruct:
                 return size_of_block(type, block);
             default:
                 fail(
@@ -292,24 +240,24 @@ std::string variable_name(const Declarations& module, std::uint32_t variable) {
 }
 
 std::optional<vk::DescriptorType> descriptor_type(const Declarations& module, std::uint32_t variable) {
-    if (module.storage_class(variable) == spv::storage_buffer) return vk::DescriptorType::eStorageBuffer;
-    if (module.storage_class(variable) == spv::storage_uniform) return vk::DescriptorType::eUniformBuffer;
+    if (module.storage_class(variable) == spv::StorageClassStorageBuffer) return vk::DescriptorType::eStorageBuffer;
+    if (module.storage_class(variable) == spv::StorageClassUniform) return vk::DescriptorType::eUniformBuffer;
     const std::uint32_t type = module.type_of(variable);
-    const bool is_combined = module.op(type) == spv::op_type_sampled_image;
+    const bool is_combined = module.op(type) == spv::OpTypeSampledImage;
     const std::uint32_t image = is_combined ? module.word(type, 2) : type;
-    const bool is_buffer = module.word(image, 3) == spv::dimension_buffer;
+    const bool is_buffer = module.word(image, 3) == spv::DimBuffer;
     switch (module.op(type)) {
-        case spv::op_type_sampled_image:
+        case spv::OpTypeSampledImage:
             // samplerBuffer has the shape of a combined sampler, and no sampler.
             return is_buffer ? vk::DescriptorType::eUniformTexelBuffer : vk::DescriptorType::eCombinedImageSampler;
-        case spv::op_type_image:
-            if (module.word(image, 3) == spv::dimension_subpass_data) return vk::DescriptorType::eInputAttachment;
-            if (module.word(image, 7) == spv::image_is_sampled)
+        case spv::OpTypeImage:
+            if (module.word(image, 3) == spv::DimSubpassData) return vk::DescriptorType::eInputAttachment;
+            if (module.word(image, 7) == image_is_sampled)
                 return is_buffer ? vk::DescriptorType::eUniformTexelBuffer : vk::DescriptorType::eSampledImage;
             return is_buffer ? vk::DescriptorType::eStorageTexelBuffer : vk::DescriptorType::eStorageImage;
-        case spv::op_type_sampler:
+        case spv::OpTypeSampler:
             return vk::DescriptorType::eSampler;
-        case spv::op_type_acceleration_structure:
+        case spv::OpTypeAccelerationStructureKHR:
             return vk::DescriptorType::eAccelerationStructureKHR;
         default:
             return std::nullopt;
@@ -322,15 +270,15 @@ void add_resource(ShaderInterface& interface, const Declarations& module, std::u
     const auto leave_out = [&](const std::string& because) {
         if (is_used) fail("the shader's '{}' is {}", name, because);
     };
-    const std::uint32_t set = module.decoration(variable, spv::descriptor_set);
+    const std::uint32_t set = module.decoration(variable, spv::DecorationDescriptorSet);
     const std::uint32_t type = module.op(module.type_of(variable));
     if (set != 0) return leave_out(fmt::format("in descriptor set {}; there is set 0 only", set));
-    if (type == spv::op_type_array || type == spv::op_type_runtime_array)
+    if (type == spv::OpTypeArray || type == spv::OpTypeRuntimeArray)
         return leave_out("an array of resources; each needs a name of its own");
     const std::optional<vk::DescriptorType> bound_as = descriptor_type(module, variable);
     if (!bound_as) return leave_out("of a kind that is never bound");
-    interface.resources.emplace(
-        name, ShaderInterface::Resource{module.decoration(variable, spv::binding), *bound_as, stage, is_used});
+    interface.resources.emplace(name, ShaderInterface::Resource{module.decoration(variable, spv::DecorationBinding),
+                                                                *bound_as, stage, is_used});
 }
 
 /// A multiple of four, as Vulkan wants it.
@@ -346,9 +294,9 @@ ShaderInterface read_interface(const SpirV& module, vk::ShaderStageFlagBits stag
     const Declarations declarations(module);
     ShaderInterface interface;
     for (const auto& [variable, is_used] : declarations.variables()) {
-        if (declarations.storage_class(variable) == spv::storage_push_constant && is_used)
+        if (declarations.storage_class(variable) == spv::StorageClassPushConstant && is_used)
             interface.push_constant_bytes = push_constant_bytes(declarations, variable);
-        if (declarations.is_decorated(variable, spv::binding))
+        if (declarations.is_decorated(variable, spv::DecorationBinding))
             add_resource(interface, declarations, variable, is_used, stage);
     }
     for (const auto& [constant, id] : declarations.constant_ids())

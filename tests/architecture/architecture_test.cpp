@@ -60,6 +60,7 @@ const std::vector<Confinement>& confinements() {
         only("embree", "reference/mesh_tracer\\.cpp"),
         only("glslang/", "gpu/[a-z_]*\\.cpp"),
         only("SPIRV/", "gpu/[a-z_]*\\.cpp"),
+        only("spirv/", "gpu/[a-z_]*\\.cpp"),
         only("stb_", "scene/plain_image_file\\.cpp|picture/text\\.cpp"),
         only("CLI/", "cli/.*"),
         only("benchmark/", "cli/bench_command\\.cpp"),
