@@ -36,15 +36,16 @@ FigureDeclaration visibility_count() {
 
 const std::vector<FigureOf<ShadowErrors>>& shadow_error_table() {
     constexpr const char* visibility = "visibility";
+    constexpr const char* of_compared = "fraction of visibilities compared";
     constexpr Better lower = Better::lower;
     using Errors = ShadowErrors;
     static const std::vector<FigureOf<Errors>> table = {
         {in_short(of_visibility("error.shadow.mean", "Shadow error, mean", visibility, lower), "shadow",
                   "mean error of the lights' visibility"),
          [](const Errors& errors) { return std::optional(errors.mean); }},
-        {of_visibility("error.shadow.false_shadow", "False shadow", visibility, lower),
+        {of_visibility("error.shadow.false_shadow", "False shadow", of_compared, lower),
          [](const Errors& errors) { return std::optional(errors.false_shadow); }},
-        {of_visibility("error.shadow.missed_shadow", "Missed shadow", visibility, lower),
+        {of_visibility("error.shadow.missed_shadow", "Missed shadow", of_compared, lower),
          [](const Errors& errors) { return std::optional(errors.missed_shadow); }},
         {visibility_count(), [](const Errors& errors) { return std::optional(static_cast<double>(errors.compared)); }},
         {of_visibility("error.shadow.truth_standard_error", "Standard error of the truth's soft shadows", visibility,
