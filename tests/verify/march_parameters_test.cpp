@@ -10,7 +10,7 @@ namespace reliefbench::test {
 
 namespace {
 
-/// The shared parameters of the marching family (harness/shaders/march.json).
+/// The shared parameters of the marching family (harness/shaders/library/march.json).
 class MarchParameters : public VerifyTest {
 protected:
     static View repeating(View view) {
