@@ -8,7 +8,7 @@
 
 namespace reliefbench::test {
 
-/// Cone ratios as the shaders define them (harness/shaders/library/cone_preparation.glsl), made on the CPU in double and in the
+/// Cone ratios as harness/shaders/library/cone_preparation.glsl defines them, made on the CPU in double and in the
 /// plainest way: radius in texture coordinates over height in units of the height scale, at most 1. One for each texel.
 using Ratios = Image<double>;
 
