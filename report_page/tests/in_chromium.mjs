@@ -360,7 +360,7 @@ test("any figure of a run can be chosen, under headings, and a word finds it amo
     page.$$eval(".picker-list :is(legend, label)", (all) =>
       all.filter((each) => each.checkVisibility()).map((each) => each.textContent),
     );
-  assert.deepEqual(await shown(), ["error · shadow", "Missed shadow (visibility)"]);
+  assert.deepEqual(await shown(), ["error · shadow", "Missed shadow (% of visibilities compared)"]);
   await page.click(".picker-list label:visible");
   assert.match(await page.textContent(".rows th:nth-last-child(1)"), /Missed shadow/);
   await page.click(".picker-list button");
