@@ -37,9 +37,9 @@ const std::vector<std::string> preamble_names = words("target_map patch_corners"
 
 // The axes of a configuration (harness/sweep), which share one namespace with parameters on the command line.
 const std::vector<std::string> axes = words(
-    "technique heightmap albedo heightmap_size height_format view_angle azimuth projection distance fov height_scale "
-    "tiling "
-    "boundary resolution sample_count self_shadow soft_shadow hard_shadow_bias dykhta_bias shadow_min_steps "
+    "technique heightmap albedo heightmap_size height_format view_angle azimuth projection distance fov base "
+    "curvature base_segments base_fit height_scale tiling boundary resolution sample_count self_shadow soft_shadow "
+    "hard_shadow_bias dykhta_bias shadow_min_steps "
     "shadow_max_steps shadow_softening depth_write");
 
 const std::vector<std::string> type_stems = words("vec ivec uvec bvec dvec fvec hvec mat dmat");

@@ -67,7 +67,7 @@ PreparedCell Laboratory::make_ready_again(const Cell& cell) {
 }
 
 DrawnCell Laboratory::beside_truth(const Cell& cell, const Probe& probe) {
-    return {probe, inputs_.truth(cell.view), inputs_.map(cell.view).map, cell.view.view.relief};
+    return {probe, inputs_.truth(cell.view), inputs_.map(cell.view).map, inputs_.view(cell.view).relief};
 }
 
 /// Compiles and prepares, or skips.
@@ -86,7 +86,7 @@ void Laboratory::prepare(const Cell& cell, const LaboratoryCallbacks& callbacks,
     if (!inputs_.has_map(cell.view)) begin("loading the height map");
     const LoadedMap& loaded = inputs_.map(cell.view);
     begin("compiling");
-    Renderer renderer(inputs_.device(), technique, cell.parameters, loaded.scene, cell.view.view,
+    Renderer renderer(inputs_.device(), technique, cell.parameters, loaded.scene, inputs_.view(cell.view),
                       configuration_.lighting, configuration_.object);
     if (!technique.manifest.passes.empty()) begin("making its maps");
     Preparation preparation = maps_.failed.prepare(
@@ -120,7 +120,7 @@ std::string Laboratory::refusal(const Technique& technique, const Cell& cell) co
     const gpu::Device& device = inputs_.device();
     const InputSizes sizes = input_sizes(cell.view.height_map);
     const std::string unsupported =
-        unsupported_reason(device, technique, cell.parameters, cell.view.view, sizes.height_map);
+        unsupported_reason(device, technique, cell.parameters, inputs_.view(cell.view), sizes.height_map);
     if (!unsupported.empty()) return unsupported;
     MemoryNeed need = cell_need(technique, cell, sizes, configuration_);
     if (!inputs_.has_map(cell.view)) need = with_inputs(need, sizes, cell.view.height_format);

@@ -21,7 +21,7 @@ constexpr std::size_t held_bytes = std::size_t{256} << 20U;
 /// What is known of a pair of frames before any technique is drawn.
 struct FramePair {
     const gpu::Device& device;
-    const ViewKey& view;
+    const View& view;
     const LoadedMap& loaded;
     const Lighting& lighting;
     const Truth& first;
@@ -43,7 +43,7 @@ public:
 
     void follow(const FramePair& pair, const Camera& next) {
         HitImage hits = hits_from(pair.device, next);
-        const Relief& relief = pair.view.view.relief;
+        const Relief& relief = pair.view.relief;
         const MotionChange change = compare_frames(pair.motion.landings, pair.first.hits, pair.second.hits, hits_, hits,
                                                    pair.loaded.map, relief);
         texels_.add(change.texels);
@@ -78,7 +78,7 @@ private:
     }
 
     static std::vector<double> flip_of(const MotionChange& change, const FramePair& pair) {
-        View view = pair.view.view;
+        View view = pair.view;
         view.camera = pair.camera;
         const auto shade = [&](const HitImage& hits) {
             return shade_hits(hits, pair.loaded.map, pair.loaded.albedo, view, pair.lighting);
@@ -118,6 +118,7 @@ bool follow_frames(SharedInputs& inputs, const ViewKey& view, const Configuratio
     const MotionSettings& settings = *configuration.motion;
     const auto camera_of = [&](int frame) { return camera_in_motion(view.view.camera, settings, frame); };
     if (!step_all(cells, goes_on, [&](FollowedCell& cell) { cell.start(inputs.device(), camera_of(0)); })) return false;
+    const View seen = inputs.view(view);
     std::optional<Truth> held;
     for (int frame = 1; frame < settings.frames; ++frame) {
         const Truth& first = held ? *held : inputs.truth(view);
@@ -125,14 +126,14 @@ bool follow_frames(SharedInputs& inputs, const ViewKey& view, const Configuratio
         const Camera camera = camera_of(frame - 1);
         const Camera next = camera_of(frame);
         const FramePair pair{.device = inputs.device(),
-                             .view = view,
+                             .view = seen,
                              .loaded = inputs.map(view),
                              .lighting = configuration.lighting,
                              .first = first,
                              .second = second,
                              .camera = camera,
                              .motion = follow_truth({camera, first.hits, first.footprint},
-                                                    {next, second.hits, second.footprint}, view.view.relief)};
+                                                    {next, second.hits, second.footprint}, seen.relief)};
         if (!step_all(cells, goes_on, [&](FollowedCell& cell) { cell.follow(pair, next); })) return false;
         held = std::move(second);
     }

@@ -134,6 +134,14 @@ const LoadedMap& SharedInputs::map(const ViewKey& key) {
     return maps_.back().loaded;
 }
 
+View SharedInputs::view(const ViewKey& key) {
+    View view = key.view;
+    const auto known = std::ranges::find(bases_, key.base, &KeyedBase::source);
+    if (known == bases_.end()) bases_.push_back({key.base, load_base(key.base)});
+    view.relief.base = known == bases_.end() ? bases_.back().loaded : known->loaded;
+    return view;
+}
+
 bool SharedInputs::has_map(const ViewKey& key) const {
     return std::ranges::any_of(maps_, [&](const KeyedMap& keyed) { return same_map(key, keyed.source, keyed.format); });
 }
@@ -146,13 +154,13 @@ const Truth& SharedInputs::truth(const ViewKey& view) {
     if (!has_truth(view)) {
         const ViewKey key = truth_key(view);
         truth_.reset();
-        truth_.emplace(KeyedTruth{key, trace(key, key.view)});
+        truth_.emplace(KeyedTruth{key, trace(key, this->view(key))});
     }
     return truth_->truth;
 }
 
 Truth SharedInputs::truth_from(const ViewKey& key, const Camera& camera) {
-    View view = key.view;
+    View view = this->view(key);
     view.camera = camera;
     view.self_shadow = SelfShadow{};
     return trace(key, view);
@@ -169,6 +177,8 @@ void SharedInputs::keep_only(const std::vector<ViewKey>& views) {
         std::none_of(views.begin(), views.end(), [&](const ViewKey& view) { return truth_key(view) == truth_->key; })) {
         truth_.reset();
     }
+    bases_.remove_if(
+        [&](const KeyedBase& keyed) { return std::ranges::find(views, keyed.source, &ViewKey::base) == views.end(); });
     maps_.remove_if([&](const KeyedMap& keyed) {
         return std::none_of(views.begin(), views.end(),
                             [&](const ViewKey& key) { return same_map(key, keyed.source, keyed.format); });

@@ -57,6 +57,8 @@ public:
 
     /// An Error where there is not the memory for it.
     const LoadedMap& map(const ViewKey& key);
+    /// The view with its base surface, loaded or generated once for all views that have it.
+    View view(const ViewKey& key);
     bool has_map(const ViewKey& key) const;
     bool has_truth(const ViewKey& view) const;
     /// Valid until the truth of another view is asked for.
@@ -75,6 +77,10 @@ private:
         HeightFormat format;
         LoadedMap loaded;
     };
+    struct KeyedBase {
+        BaseSource source;
+        BaseSurface loaded;
+    };
     struct KeyedTruth {
         ViewKey key;
         Truth truth;
@@ -87,6 +93,7 @@ private:
     TruthSettings settings_;
     std::optional<SceneObject> object_;
     std::list<KeyedMap> maps_;
+    std::list<KeyedBase> bases_;
     std::optional<KeyedTruth> truth_;
     double truth_seconds_ = 0;
 };

@@ -112,7 +112,6 @@ public:
 
 private:
     struct Point {
-        glm::dvec2 uv;
         glm::dvec3 place;
         double h = 0;
     };
@@ -121,11 +120,11 @@ private:
         const double u = hits_.texels[pixel].u;
         const double v = hits_.texels[pixel].v;
         const double h = map_.sample(relief_.tiling * u, relief_.tiling * v);
-        return {{u, v}, surface_point(relief_, u, v, h), h};
+        return {surface_point(relief_, u, v, h), h};
     }
 
     bool reaches(const Point& point, const glm::dvec3& to_light) const {
-        const std::optional<Ray> ray = light_ray(relief_.base, point.uv, point.place, to_light);
+        const std::optional<Ray> ray = light_ray(flat_base(relief_.base), point.place, to_light);
         if (!ray) return false;
         const auto hit = tracer_.trace(*ray);
         return !hit || hit->h <= point.h + height_tolerance;

@@ -8,7 +8,7 @@ namespace reliefbench {
 
 TieFinder::TieFinder(const HeightMap& map, const Relief& relief, const ExactTracer& tracer)
     : tracer_(&tracer),
-      base_(relief.base),
+      plane_(flat_base(relief.base)),
       height_scale_(relief.height_scale),
       clip_(relief.boundary == Boundary::clip),
       columns_(relief.tiling * map.width()),
@@ -21,8 +21,8 @@ bool TieFinder::is_tie(const Ray& ray) const {
     if (!is_near_border(ray)) {
         const auto lifted = [&](double by) {
             // Parallel rays of a plane start on it: a lowered one has to come from above as well.
-            const Ray earlier = started_above(base_, ray, lift_ * height_scale_);
-            return tracer_->trace(shifted(base_, earlier, {0, 0, by * height_scale_}));
+            const Ray earlier = started_above(plane_, ray, lift_ * height_scale_);
+            return tracer_->trace(shifted(plane_, earlier, {0, 0, by * height_scale_}));
         };
         if (!differ(lifted(-lift_), lifted(lift_))) return false;
     }
@@ -31,7 +31,7 @@ bool TieFinder::is_tie(const Ray& ray) const {
     const double dv = tie_shift_texels / rows_;
     const std::array<glm::dvec3, 4> shifts{{{du, 0, 0}, {-du, 0, 0}, {0, dv, 0}, {0, -dv, 0}}};
     return std::any_of(shifts.begin(), shifts.end(), [&](const glm::dvec3& shift) {
-        return differ(hit, tracer_->trace(shifted(base_, ray, shift)));
+        return differ(hit, tracer_->trace(shifted(plane_, ray, shift)));
     });
 }
 
@@ -42,10 +42,10 @@ bool TieFinder::differ(const std::optional<ExactHit>& a, const std::optional<Exa
 
 bool TieFinder::is_near_border(const Ray& ray) const {
     if (!clip_) return false;
-    const std::optional<glm::dvec2> entry = footprint_entry(ray, base_);
+    const std::optional<BaseEntry> entry = find_entry(plane_, ray);
     if (!entry) return true;
-    const double u = entry->x;
-    const double v = entry->y;
+    const double u = entry->uv.x;
+    const double v = entry->uv.y;
     const double near = 2 * tie_shift_texels;
     return std::min(u, 1 - u) * columns_ < near || std::min(v, 1 - v) * rows_ < near;
 }

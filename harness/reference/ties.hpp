@@ -28,7 +28,7 @@ private:
     bool is_near_border(const Ray& ray) const;
 
     const ExactTracer* tracer_;
-    BaseSurface base_;
+    Plane plane_;
     double height_scale_;
     bool clip_;
     /// Texels of the map on a side of the patch.

@@ -50,7 +50,9 @@ Ray PixelRays::at(double i, double j) const {
     const double down = (j + 0.5) / resolution_.height;
     if (parallel_) {
         const glm::dvec2 size = window_.high - window_.low;
-        return {{window_.low.x + across * size.x, window_.high.y - down * size.y, 0.0}, frame_.forward};
+        const glm::dvec3 place{window_.low.x + across * size.x, window_.high.y - down * size.y, 0.0};
+        if (window_.top == 0) return {place, frame_.forward};
+        return {place + frame_.forward * (window_.top / frame_.forward.z), frame_.forward};
     }
     return {frame_.eye, glm::normalize(frame_.forward + across_ * (2 * across - 1) + upwards_ * (1 - 2 * down))};
 }
@@ -104,9 +106,9 @@ glm::dmat4 parallel_clip(const Camera& camera, const ParallelWindow& window) {
     glm::dmat4 clip(1.0);
     clip[0] = {scale.x, 0, 0, 0};
     clip[1] = {0, -scale.y, 0, 0};
-    clip[2] = {-scale.x * slide_x, scale.y * slide_y, -1, 0};
+    clip[2] = {-scale.x * slide_x, scale.y * slide_y, -1 / window.depth, 0};
     // From 0, so that a centred window leaves no negative zero.
-    clip[3] = {0 - scale.x * centre.x, scale.y * centre.y, 0, 1};
+    clip[3] = {0 - scale.x * centre.x, scale.y * centre.y, window.top / window.depth, 1};
     return clip;
 }
 

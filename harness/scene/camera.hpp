@@ -48,6 +48,9 @@ CameraFrame camera_frame(const Camera& camera);
 struct ParallelWindow {
     glm::dvec2 low{-0.5, -0.5};
     glm::dvec2 high{0.5, 0.5};
+    /// The height in z from which rays start, and how far below it all that they can meet lies.
+    double top = 0;
+    double depth = 1;
 };
 
 /// The rays of a picture's pixels; row 0 is the top.
@@ -80,7 +83,7 @@ double cosine_of_picture_corner(const Camera& camera, Resolution resolution);
 glm::dmat4 perspective_clip(const Camera& camera, Resolution resolution, double near);
 
 /// The same for parallel rays: an oblique affine projection that slides points along the rays onto z = 0, where the
-/// window fills the target; depth is then −z.
+/// window fills the target; depth is then (top − z)/depth of the window.
 glm::dmat4 parallel_clip(const Camera& camera, const ParallelWindow& window);
 
 }  // namespace reliefbench

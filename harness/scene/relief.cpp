@@ -7,11 +7,11 @@ std::string to_string(Boundary boundary) {
 }
 
 glm::dvec3 surface_point(const Relief& relief, double u, double v, double h) {
-    return base_point(relief.base, {u, v}, (h - 1) * relief.height_scale);
+    return base_point(flat_base(relief.base), {u, v}, (h - 1) * relief.height_scale);
 }
 
 std::optional<glm::dvec2> footprint_entry(const Ray& ray, const BaseSurface& base) {
-    const std::optional<BaseEntry> entry = find_entry(base, ray);
+    const std::optional<BaseEntry> entry = find_entry(flat_base(base), ray);
     if (!entry) return std::nullopt;
     return entry->uv;
 }
@@ -30,7 +30,8 @@ glm::dmat4 clip_from_world(const View& view) {
         return parallel_clip(view.camera, parallel_window(base, view.camera, view.relief.height_scale));
     const double cosine = cosine_of_picture_corner(view.camera, view.resolution);
     // Half as far as what is nearest: the margin of the near plane.
-    return perspective_clip(view.camera, view.resolution, nearest_depth(base, view.camera, cosine) / 2);
+    return perspective_clip(view.camera, view.resolution,
+                            nearest_depth(base, view.camera, view.relief.height_scale, cosine) / 2);
 }
 
 }  // namespace reliefbench

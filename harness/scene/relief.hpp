@@ -59,10 +59,10 @@ struct View {
 /// h = 1 or passes its edge must not depend on rounding. harness/shaders/contract/relief.glsl has the same.
 constexpr double entry_tolerance = 0x1p-20;
 
-/// S over (u, v) at the height h.
+/// S over (u, v) at the height h, of a relief on a flat base.
 glm::dvec3 surface_point(const Relief& relief, double u, double v, double h);
 
-/// The patch coordinates at which the ray enters through the base; empty outside of the footprint F.
+/// The patch coordinates at which the ray enters through a flat base; empty outside of the footprint F.
 std::optional<glm::dvec2> footprint_entry(const Ray& ray, const BaseSurface& base = {});
 
 PixelRays pixel_rays(const View& view);

@@ -24,7 +24,7 @@ Neighbours neighbours(double coordinate, int count) {
 
 }  // namespace
 
-glm::dvec3 shading_normal(const Image<std::array<float, 2>>& derivatives, const Relief& relief, double u, double v) {
+glm::dvec2 shading_slope(const Image<std::array<float, 2>>& derivatives, const Relief& relief, double u, double v) {
     const Neighbours x = neighbours(relief.tiling * u, derivatives.size.width);
     const Neighbours y = neighbours(relief.tiling * v, derivatives.size.height);
     const auto texel = [&](int column, int row) {
@@ -36,7 +36,11 @@ glm::dvec3 shading_normal(const Image<std::array<float, 2>>& derivatives, const 
     };
     const glm::dvec2 slope = along_row(y.first) * (1 - y.fraction) + along_row(y.second) * y.fraction;
     const double to_world = relief.height_scale * relief.tiling;
-    return relief_normal(relief.base, {u, v}, to_world * slope);
+    return to_world * slope;
+}
+
+glm::dvec3 shading_normal(const Image<std::array<float, 2>>& derivatives, const Relief& relief, double u, double v) {
+    return relief_normal(flat_base(relief.base), {u, v}, shading_slope(derivatives, relief, u, v));
 }
 
 }  // namespace reliefbench

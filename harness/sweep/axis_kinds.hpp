@@ -75,11 +75,15 @@ ViewAxis word_axis(std::string name, AxisDescription description, std::vector<st
 }
 
 /// Makes an axis one that only some views have.
-inline ViewAxis only_where(bool (*has_use)(const View&), ViewAxis axis) {
+template <typename HasUse>
+ViewAxis only_for(HasUse has_use, ViewAxis axis) {
     axis.value = [has_use, value = std::move(axis.value)](const ViewKey& view) {
-        return has_use(view.view) ? value(view) : Json();
+        return has_use(view) ? value(view) : Json();
     };
     return axis;
+}
+inline ViewAxis only_where(bool (*has_use)(const View&), ViewAxis axis) {
+    return only_for([has_use](const ViewKey& view) { return has_use(view.view); }, std::move(axis));
 }
 
 }  // namespace reliefbench

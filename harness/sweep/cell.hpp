@@ -10,10 +10,12 @@
 
 namespace reliefbench {
 
-/// What a truth depends on: one height map in one format seen by one view.
+/// What a truth depends on: one height map in one format on one base, seen by one view.
 struct ViewKey {
     HeightMapSource height_map;
     HeightFormat height_format = HeightFormat::r16;
+    BaseSource base;
+    /// Its relief's base is a plane: whoever draws or traces takes the one loaded from `base` (SharedInputs::view).
     View view;
 
     bool operator==(const ViewKey&) const = default;

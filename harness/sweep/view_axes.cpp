@@ -3,6 +3,7 @@
 #include "core/json_lookup.hpp"
 #include "core/suggest.hpp"
 #include "sweep/axis_kinds.hpp"
+#include "sweep/base_axes.hpp"
 #include "sweep/height_map_value.hpp"
 #include "sweep/self_shadow_axes.hpp"
 
@@ -175,6 +176,7 @@ std::vector<ViewAxis> make_view_axes() {
          .also_called = {"format", "bits", "bit_depth", "precision"}},
         {"r8", "r16", "r32f"}, [](auto& key) -> auto& { return key.height_format; }));
     append(camera_axes());
+    append(base_axes());
     append(relief_axes());
     axes.push_back(resolution_axis());
     for (ViewAxis& axis : self_shadow_axes())
@@ -263,6 +265,10 @@ ViewKey make_view(const std::vector<ViewChoice>& choices) {
     if (view.view.camera.projection == Projection::parallel) {
         view.view.camera.distance = Camera{}.distance;
         view.view.camera.fov = Camera{}.fov;
+    }
+    if (!view.base.is_generated()) {
+        view.base.curvature = BaseSource{}.curvature;
+        view.base.segments = BaseSource{}.segments;
     }
     reset_unused(view.view.self_shadow);
     return view;

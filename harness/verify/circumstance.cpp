@@ -70,7 +70,7 @@ const CoordinateScene& SceneCollection::get(const std::string& map, Resolution s
 
 glm::dvec3 tangent_direction(const View& view, int i, int j) {
     const Ray ray = pixel_ray(view, i, j);
-    const std::optional<BaseEntry> entry = find_entry(view.relief.base, ray);
+    const std::optional<BaseEntry> entry = find_entry(flat_base(view.relief.base), ray);
     assert(entry);
     return entry->frame.from_world(ray.direction);
 }

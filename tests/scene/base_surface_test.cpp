@@ -13,7 +13,7 @@ namespace {
 
 constexpr double tolerance = 1e-14;
 constexpr double degree = std::numbers::pi / 180;
-const BaseSurface plane{.kind = Plane{}};
+const Plane plane;
 
 void expect_equal(glm::dvec3 actual, glm::dvec3 expected, double bound = tolerance) {
     EXPECT_NEAR(actual.x, expected.x, bound);
@@ -91,12 +91,12 @@ TEST(Plane, APathThroughTheReliefIsTheRay) {
 
 TEST(Plane, LightComesThroughThePointFromThePlaneOn) {
     const glm::dvec3 point{0.1, -0.2, -0.3};
-    const auto ray = light_ray(plane, {0.6, 0.3}, point, to_eye);
+    const auto ray = light_ray(plane, point, to_eye);
     ASSERT_TRUE(ray);
     EXPECT_EQ(ray->direction, -to_eye);
     expect_equal(ray->origin, point + to_eye * (0.3 / std::cos(theta)));
-    EXPECT_FALSE(light_ray(plane, {0.6, 0.3}, point, glm::normalize(glm::dvec3(1, 1, 0))));
-    EXPECT_FALSE(light_ray(plane, {0.6, 0.3}, point, glm::normalize(glm::dvec3(1, 1, -0.01))));
+    EXPECT_FALSE(light_ray(plane, point, glm::normalize(glm::dvec3(1, 1, 0))));
+    EXPECT_FALSE(light_ray(plane, point, glm::normalize(glm::dvec3(1, 1, -0.01))));
 }
 
 TEST(Plane, RaysAreMovedInUInVAndUpwards) {

@@ -32,8 +32,7 @@ std::optional<BaseEntry> find_entry(const Plane& plane, const Ray& ray) {
     return BaseEntry{.uv = uv, .t = t, .frame = plane_frame};
 }
 
-std::optional<Ray> light_ray(const Plane& /*plane*/, glm::dvec2 /*uv*/, const glm::dvec3& point,
-                             const glm::dvec3& to_light) {
+std::optional<Ray> light_ray(const Plane& /*plane*/, const glm::dvec3& point, const glm::dvec3& to_light) {
     if (to_light.z <= 0) return std::nullopt;
     return Ray{point - to_light * (point.z / to_light.z), -to_light};
 }
@@ -52,10 +51,6 @@ double nearest_depth(const Plane& /*plane*/, const Camera& camera, double cosine
     const glm::dvec3 eye = camera_frame(camera).eye;
     const double nearest_corner = camera.distance - (std::abs(eye.x) + std::abs(eye.y)) / (2 * camera.distance);
     return std::max(nearest_corner, eye.z * cosine_of_corner);
-}
-
-ParallelWindow parallel_window(const Plane& /*plane*/, const Camera& /*camera*/, double /*height_scale*/) {
-    return {};
 }
 
 PatchRegion visible_region(const Plane& /*plane*/, const Camera& camera, double height_scale) {

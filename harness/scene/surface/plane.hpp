@@ -10,20 +10,38 @@
 namespace reliefbench {
 
 /// The base surface that is flat: the unit square of z = 0, centred on the origin, P(u, v) = (u − ½, v − ½, 0), with
-/// the normal z. What base_surface.hpp asks of every base surface, and below it what only a flat one can answer.
+/// the normal z.
 struct Plane {
     bool operator==(const Plane&) const = default;
 };
 
+/// P + above·N.
 glm::dvec3 base_point(const Plane& plane, glm::dvec2 uv, double above);
+
+/// ∂P/∂u, ∂P/∂v and N.
 TangentFrame tangent_frame(const Plane& plane, glm::dvec2 uv);
+
+/// The unit normal in world space of a relief whose offset along N changes with u and v by `slope`.
 glm::dvec3 relief_normal(const Plane& plane, glm::dvec2 uv, glm::dvec2 slope);
+
+/// Where the ray meets the unit square from above: empty outside the footprint F.
 std::optional<BaseEntry> find_entry(const Plane& plane, const Ray& ray);
-std::optional<Ray> light_ray(const Plane& plane, glm::dvec2 uv, const glm::dvec3& point, const glm::dvec3& to_light);
+
+/// The ray of light through a point of the relief, from where it passes the plane; empty where the direction to the
+/// light does not rise above it. `to_light`: a unit vector.
+std::optional<Ray> light_ray(const Plane& plane, const glm::dvec3& point, const glm::dvec3& to_light);
+
+/// The same ray, which descends, from where it is higher over the plane by `height`.
 Ray started_above(const Plane& plane, const Ray& ray, double height);
+
+/// A ray that meets what this one meets moved by so much in u, in v and along the normal.
 Ray shifted(const Plane& plane, const Ray& ray, const glm::dvec3& by);
+
+/// Perspective: a view depth that whatever can be seen of the relief exceeds. `cosine_of_corner`: of the angle between
+/// the middle and a corner of the picture.
 double nearest_depth(const Plane& plane, const Camera& camera, double cosine_of_corner);
-ParallelWindow parallel_window(const Plane& plane, const Camera& camera, double height_scale);
+
+/// Boundary::repeat: the unit square united with what rays of the footprint can reach within the relief.
 PatchRegion visible_region(const Plane& plane, const Camera& camera, double height_scale);
 
 /// A descending ray as the relief over a plane sees it: at the parameter s it is at the height h = 1 − s over the patch

@@ -34,7 +34,7 @@ RealGrid real_grid(const DrawnView& drawn) {
                               : glm::max(glm::ceil(texels / double(shape.texels_per_patch)), 1.0);
     const PatchRegion region = relief.boundary == Boundary::clip
                                    ? PatchRegion{}
-                                   : visible_region(relief.base, drawn.view.camera, relief.height_scale);
+                                   : visible_region(flat_base(relief.base), drawn.view.camera, relief.height_scale);
     grid.first = glm::floor(region.low * grid.per_side);
     grid.count = glm::ceil(region.high * grid.per_side) - grid.first;
     return grid;
