@@ -14,11 +14,25 @@
 
 namespace reliefbench {
 
+/// In place of a triangle of the base where there is none.
+constexpr std::uint32_t no_triangle = 0xffffffff;
+
+/// What the truth of a view knows beside where its base is not flat, by pixel.
+struct CurvedTruth {
+    /// Of the shaded relief in world space, unit vectors; zeros where there is no hit.
+    Image<std::array<float, 3>> normals;
+    /// The triangle of the base (BaseMesh::triangles) through which the pixel's ray enters; no_triangle outside F.
+    Image<std::uint32_t> entry_triangles;
+    /// 1 where the hit is on another chart of the base than the entry, else 0.
+    Image<std::uint8_t> off_chart;
+};
+
 /// The ground truth of one view.
 struct Truth {
     /// Row 0 is the top.
     HitImage hits;
-    /// F: the ray crosses z = 0 inside the unit square. Ties (ties.hpp) are marked.
+    /// F: the ray meets the base from the side that is seen (on the plane: crosses z = 0 inside the unit square). Ties
+    /// (ties.hpp) are marked.
     FootprintImage footprint;
     /// Linear RGB, shaded truth; the background colour where there is no hit.
     Image<std::array<float, 3>> colour;
@@ -27,6 +41,8 @@ struct Truth {
     LightVisibility light_visibility;
     /// What is in front; `hits` are the relief's, whatever covers them. Empty without an object.
     std::optional<Image<Front>> front;
+    /// Empty where the base is flat.
+    std::optional<CurvedTruth> curved;
     /// Wall time of tracing and shading.
     double trace_ms = 0;
 };
