@@ -90,16 +90,18 @@ TEST(Expansion, IdsNameEveryAxisThatIsNotAtItsDefault) {
     const std::vector<Cell> cells = expand_text(R"({
         "techniques": [{"technique": "mesh", "parameters": {"factor": 16, "bias": 0.25}}],
         "axes": {"heightmap": "rock", "heightmap_size": "512x128", "height_format": "r32f", "view_angle": 12.5,
-                 "azimuth": 22.5, "projection": "perspective", "distance": 2, "fov": 60, "height_scale": 0.1,
-                 "tiling": 4, "boundary": "repeat", "resolution": "640x480"}})");
+                 "azimuth": 22.5, "projection": "perspective", "distance": 2, "fov": 60, "base": "saddle",
+                 "curvature": -0.5, "base_segments": 64, "height_scale": 0.1, "tiling": 4, "boundary": "repeat",
+                 "resolution": "640x480"}})");
     EXPECT_THAT(ids(cells),
                 ElementsAre("mesh factor=16 bias=0.25 | heightmap=rock heightmap_size=512x128 height_format=r32f "
-                            "view_angle=12.5 azimuth=22.5 distance=2 fov=60 height_scale=0.1 tiling=4 boundary=repeat "
-                            "resolution=640x480"));
+                            "view_angle=12.5 azimuth=22.5 distance=2 fov=60 base=saddle curvature=-0.5 "
+                            "base_segments=64 height_scale=0.1 tiling=4 boundary=repeat resolution=640x480"));
     EXPECT_EQ(axes_to_json(cells[0].view).dump(),
               R"({"heightmap":"rock","heightmap_size":"512x128","height_format":"r32f","view_angle":12.5,)"
-              R"("azimuth":22.5,"projection":"perspective","distance":2.0,"fov":60.0,"height_scale":0.1,)"
-              R"("tiling":4.0,"boundary":"repeat","resolution":"640x480","self_shadow":"off","soft_shadow":null,)"
+              R"("azimuth":22.5,"projection":"perspective","distance":2.0,"fov":60.0,"base":"saddle",)"
+              R"("curvature":-0.5,"base_segments":64,"height_scale":0.1,"tiling":4.0,"boundary":"repeat",)"
+              R"("resolution":"640x480","self_shadow":"off","soft_shadow":null,)"
               R"("hard_shadow_bias":null,"dykhta_bias":null,"shadow_min_steps":null,"shadow_max_steps":null,)"
               R"("shadow_softening":null,"depth_write":"on"})");
     EXPECT_EQ(parameters_to_json(cells[0].parameters).dump(), R"({"bias":0.25,"factor":16})");
