@@ -287,7 +287,7 @@ Manifest parse_manifest(const Json& json, const std::string& id, const std::stri
     manifest.citation = parse_line(view.at("citation"));
 
     const std::vector<IncludedSet> sets = read_included_sets(view, shared);
-    GlslNames names;
+    GlslNames names(manifest.contract);
     manifest.parameters = parse_parameters(view.at("parameters"), sets, names);
     if (view.has("sample_count")) manifest.sample_count = parse_sample_count_name(view.at("sample_count"), manifest);
     if (view.has("sample_count_minimum")) {

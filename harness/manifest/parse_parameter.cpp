@@ -58,7 +58,7 @@ void parse_range(const JsonView& view, Parameter& parameter) {
 }  // namespace
 
 void GlslNames::add_checked(const JsonView& view) {
-    const std::string complaint = check_glsl_name(view.string());
+    const std::string complaint = check_glsl_name(view.string(), contract_);
     if (!complaint.empty()) view.fail_here(complaint);
     add(view, view.string());
 }

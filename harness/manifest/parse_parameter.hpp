@@ -13,6 +13,8 @@ namespace reliefbench {
 /// Every identifier that the generated preamble declares or defines; two alike would not compile.
 class GlslNames {
 public:
+    explicit GlslNames(int contract) : contract_(contract) {}
+
     /// Of a parameter or a map.
     void add_checked(const JsonView& view);
     /// The JSON of the view must outlive this.
@@ -21,6 +23,7 @@ public:
     void require_none_of(const std::set<std::string>& names_of_shaders) const;
 
 private:
+    int contract_;
     std::set<std::string> names_;
     /// In the order in which they were added.
     std::vector<std::pair<std::string, JsonView>> places_;

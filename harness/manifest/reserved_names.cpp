@@ -37,10 +37,11 @@ const std::vector<std::string> preamble_names = words("target_map patch_corners"
 
 // The axes of a configuration (harness/sweep), which share one namespace with parameters on the command line.
 const std::vector<std::string> axes = words(
-    "technique heightmap albedo heightmap_size height_format view_angle azimuth projection distance fov base "
-    "curvature base_segments base_fit height_scale tiling boundary resolution sample_count self_shadow soft_shadow "
-    "hard_shadow_bias dykhta_bias shadow_min_steps "
+    "technique heightmap albedo heightmap_size height_format view_angle azimuth projection distance fov height_scale "
+    "tiling boundary resolution sample_count self_shadow soft_shadow hard_shadow_bias dykhta_bias shadow_min_steps "
     "shadow_max_steps shadow_softening depth_write");
+// Those that techniques of contract 1 could not know.
+const std::vector<std::string> axes_since_contract_2 = words("base curvature base_segments base_fit");
 
 const std::vector<std::string> type_stems = words("vec ivec uvec bvec dvec fvec hvec mat dmat");
 
@@ -66,7 +67,7 @@ bool is_type(std::string_view name) {
 
 }  // namespace
 
-std::string check_glsl_name(const std::string& name) {
+std::string check_glsl_name(const std::string& name, int contract) {
     if (!is_identifier(name)) {
         return fmt::format("'{}' is no usable name: lower case letters, digits and single underscores, a letter first",
                            name);
@@ -78,7 +79,8 @@ std::string check_glsl_name(const std::string& name) {
     if (contains(preamble_names, name) || name.starts_with("reliefbench")) {
         return fmt::format("'{}' is a name that the harness's shaders use; choose another", name);
     }
-    if (contains(axes, name)) return fmt::format("'{}' is an axis of a configuration; choose another name", name);
+    if (contains(axes, name) || (contract >= 2 && contains(axes_since_contract_2, name)))
+        return fmt::format("'{}' is an axis of a configuration; choose another name", name);
     return {};
 }
 

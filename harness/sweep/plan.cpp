@@ -51,6 +51,19 @@ const Parameter* parameter_of(const Manifest& manifest, const std::string& axis)
                                 axis.name, suggest_quantity(axis.name, known)));
 }
 
+/// A technique of an earlier contract may have called a parameter what is an axis since.
+void refuse_ambiguous(const Axis& axis, const Plan& plan) {
+    for (const PlannedTechnique& technique : plan.techniques) {
+        const std::string& id = technique.manifest->id;
+        if (!technique.manifest->find_parameter(axis.name)) continue;
+        fail_axis(axis,
+                  fmt::format("'{}' is an axis of the view, and the technique {} has a parameter of that name, "
+                              "too: set the parameter by {{\"technique\": \"{}\", \"parameters\": {{\"{}\": ...}}}}, "
+                              "or rename it and give the axis",
+                              axis.name, id, id, axis.name));
+    }
+}
+
 /// At least one technique must take each value.
 void check_parameter_values(const Axis& axis, const Plan& plan) {
     std::vector<const Parameter*> parameters;
@@ -77,6 +90,7 @@ PlannedAxis plan_axis(const Axis& axis, const Plan& plan) {
     planned.view = find_view_axis(axis.name);
     if (axis.values.empty()) fail_axis(axis, "an axis needs at least one value");
     if (planned.view) {
+        refuse_ambiguous(axis, plan);
         for (std::size_t index = 0; index < axis.values.size(); ++index) {
             planned.settings.push_back(planned.view->read(value_view(axis, index)));
         }
