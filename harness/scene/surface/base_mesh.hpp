@@ -24,7 +24,8 @@ struct MeshVertex {
 };
 
 /// A base surface of triangles. On each of them P is linear in (u, v), and N the normalised linear normal; the relief
-/// is S = P + (h − 1)·H·N. Counterclockwise as seen from the side that is seen, whatever way (u, v) turn.
+/// is S = P + (h − 1)·H·N. Counterclockwise as seen from the side that is seen, whatever way (u, v) turn. Each spans an
+/// area, in space as in (u, v).
 struct BaseMesh {
     using Triangle = std::array<std::uint32_t, 3>;
 
@@ -32,8 +33,11 @@ struct BaseMesh {
     std::string name;
     std::vector<MeshVertex> vertices;
     std::vector<Triangle> triangles;
-    /// By triangle: triangles that share sides with the same (u, v) and normals at both ends are of one chart.
+    /// By triangle: where (u, v) go on from one to the next they are of one chart (charts.hpp).
     std::vector<std::uint32_t> charts;
+    /// By chart: after how much of u, and of v, it meets itself again along a seam; 0 where it does not. A closed
+    /// cylinder whose u run once round it has 1 and 0.
+    std::vector<glm::vec2> chart_periods;
     /// What the file's positions were multiplied by (BaseSource::Fit).
     double scale = 1;
     /// Whether the one chart covers the unit square and nothing else, as those of generated ones do.

@@ -109,6 +109,7 @@ BaseMesh generate_base(const BaseSource& source) {
         }
     }
     mesh.charts.assign(mesh.triangles.size(), 0);
+    mesh.chart_periods.assign(1, glm::vec2(0));
     return mesh;
 }
 

@@ -1,0 +1,173 @@
+#include "scene/surface/charts.hpp"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <limits>
+#include <numeric>
+#include <unordered_map>
+
+namespace reliefbench {
+
+namespace {
+
+/// A chart this many times as long as its seam says has no period: it overlaps itself, or the seam is no seam.
+constexpr float max_periods_of_chart = 4;
+
+/// Which vertices are alike: in position alone, or in all that they have.
+std::vector<std::uint32_t> alike(const BaseMesh& mesh, bool in_position_alone) {
+    using Key = std::array<float, 8>;
+    struct Hash {
+        std::size_t operator()(const Key& key) const {
+            std::size_t hash = 0;
+            for (const float number : key)
+                hash = hash * 1099511628211u + std::bit_cast<std::uint32_t>(number);
+            return hash ^ (hash >> 29u);
+        }
+    };
+    std::unordered_map<Key, std::uint32_t, Hash> first_of;
+    first_of.reserve(mesh.vertices.size());
+    std::vector<std::uint32_t> first;
+    first.reserve(mesh.vertices.size());
+    for (const MeshVertex& vertex : mesh.vertices) {
+        // + 0 makes −0 the same.
+        Key key{vertex.position.x + 0, vertex.position.y + 0, vertex.position.z + 0};
+        if (!in_position_alone) {
+            key[3] = vertex.normal.x + 0;
+            key[4] = vertex.normal.y + 0;
+            key[5] = vertex.normal.z + 0;
+            key[6] = vertex.uv.x + 0;
+            key[7] = vertex.uv.y + 0;
+        }
+        first.push_back(first_of.emplace(key, static_cast<std::uint32_t>(first.size())).first->second);
+    }
+    return first;
+}
+
+/// Sets of triangles that grow together.
+class TriangleSets {
+public:
+    explicit TriangleSets(std::size_t count) : parents_(count) {
+        std::iota(parents_.begin(), parents_.end(), std::uint32_t{0});
+    }
+
+    std::uint32_t first_of(std::uint32_t triangle) {
+        while (parents_[triangle] != triangle)
+            triangle = parents_[triangle] = parents_[parents_[triangle]];
+        return triangle;
+    }
+    void join(std::uint32_t a, std::uint32_t b) {
+        const std::uint32_t one = first_of(a);
+        const std::uint32_t other = first_of(b);
+        parents_[std::max(one, other)] = std::min(one, other);
+    }
+
+private:
+    std::vector<std::uint32_t> parents_;
+};
+
+/// A side of a triangle, its ends in the order of their numbers.
+struct ChartSide {
+    std::array<std::uint32_t, 2> ends;
+    std::uint32_t triangle = 0;
+    /// The triangle's own vertices there.
+    std::array<std::uint32_t, 2> vertices;
+};
+
+/// Sorted, so that sides between the same ends are neighbours.
+std::vector<ChartSide> sorted_sides(const BaseMesh& mesh, const std::vector<std::uint32_t>& number_of) {
+    std::vector<ChartSide> sides;
+    sides.reserve(3 * mesh.triangles.size());
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            std::uint32_t from = mesh.triangles[triangle][corner];
+            std::uint32_t to = mesh.triangles[triangle][(corner + 1) % 3];
+            if (number_of[from] > number_of[to]) std::swap(from, to);
+            sides.push_back({{number_of[from], number_of[to]}, static_cast<std::uint32_t>(triangle), {from, to}});
+        }
+    }
+    std::ranges::stable_sort(sides, {}, &ChartSide::ends);
+    return sides;
+}
+
+/// Calls visit(first, next) for each two neighbouring sides between the same ends.
+template <typename Visit>
+void for_each_pair(const std::vector<ChartSide>& sides, const Visit& visit) {
+    for (std::size_t side = 1; side < sides.size(); ++side) {
+        if (sides[side].ends == sides[side - 1].ends) visit(sides[side - 1], sides[side]);
+    }
+}
+
+/// The period that a seam makes: the same step along u, or along v, at both of its ends; 0 where it is none.
+glm::vec2 period_of_seam(const BaseMesh& mesh, const ChartSide& a, const ChartSide& b) {
+    std::array<glm::vec2, 2> steps;
+    for (std::size_t end = 0; end < 2; ++end) {
+        const MeshVertex& here = mesh.vertices[a.vertices[end]];
+        const MeshVertex& there = mesh.vertices[b.vertices[end]];
+        if (here.normal != there.normal) return glm::vec2(0);
+        steps[end] = glm::abs(there.uv - here.uv);
+    }
+    const float rounding = 1e-5f * std::max({1.0f, steps[0].x, steps[0].y});
+    const glm::vec2 change = glm::abs(steps[0] - steps[1]);
+    if (change.x > rounding || change.y > rounding) return glm::vec2(0);
+    if (steps[0].x > rounding && steps[0].y > rounding) return glm::vec2(0);
+    return {steps[0].x > rounding ? steps[0].x : 0, steps[0].y > rounding ? steps[0].y : 0};
+}
+
+void find_chart_periods(BaseMesh& mesh, std::uint32_t charts) {
+    mesh.chart_periods.assign(charts, glm::vec2(0));
+    std::vector<glm::vec2> low(charts, glm::vec2(std::numeric_limits<float>::infinity()));
+    std::vector<glm::vec2> high(charts, glm::vec2(-std::numeric_limits<float>::infinity()));
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+        const std::uint32_t chart = mesh.charts[triangle];
+        for (const std::uint32_t corner : mesh.triangles[triangle]) {
+            low[chart] = glm::min(low[chart], mesh.vertices[corner].uv);
+            high[chart] = glm::max(high[chart], mesh.vertices[corner].uv);
+        }
+    }
+    for_each_pair(sorted_sides(mesh, alike(mesh, true)), [&](const ChartSide& a, const ChartSide& b) {
+        const std::uint32_t chart = mesh.charts[a.triangle];
+        if (chart != mesh.charts[b.triangle]) return;
+        const glm::vec2 period = period_of_seam(mesh, a, b);
+        const glm::vec2 size = high[chart] - low[chart];
+        for (int axis = 0; axis < 2; ++axis) {
+            if (period[axis] == 0 || size[axis] > max_periods_of_chart * period[axis]) continue;
+            // The shortest, where seams differ.
+            float& known = mesh.chart_periods[chart][axis];
+            known = known == 0 ? period[axis] : std::min(known, period[axis]);
+        }
+    });
+}
+
+}  // namespace
+
+void find_charts(BaseMesh& mesh) {
+    TriangleSets sets(mesh.triangles.size());
+    for_each_pair(sorted_sides(mesh, alike(mesh, false)), [&](const ChartSide& a, const ChartSide& b) {
+        const bool turn_alike = chart_area(mesh, a.triangle) * chart_area(mesh, b.triangle) > 0;
+        if (turn_alike) sets.join(a.triangle, b.triangle);
+    });
+    mesh.charts.assign(mesh.triangles.size(), 0);
+    std::uint32_t charts = 0;
+    // The first of a set has the lowest number of it.
+    for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+        const std::uint32_t first = sets.first_of(triangle);
+        mesh.charts[triangle] = first == triangle ? charts++ : mesh.charts[first];
+    }
+    find_chart_periods(mesh, charts);
+}
+
+std::size_t count_torn_sides(const BaseMesh& mesh) {
+    std::size_t torn = 0;
+    for_each_pair(sorted_sides(mesh, alike(mesh, true)), [&](const ChartSide& a, const ChartSide& b) {
+        const auto differs = [&](std::size_t end) {
+            return mesh.vertices[a.vertices[end]].normal != mesh.vertices[b.vertices[end]].normal;
+        };
+        if (differs(0) || differs(1)) ++torn;
+    });
+    return torn;
+}
+
+}  // namespace reliefbench
