@@ -19,11 +19,26 @@ uint answer_fault_of(Trace found, out uint bits) {
     return fault != answer_fault_none ? fault : answer_fault_of_steps(found.steps, bits);
 }
 
+#ifdef RELIEFBENCH_BENT_RAY
+// Of an s between 0 and s_end.
+uint answer_fault_of(ReliefRay ray, Trace found, out uint bits) {
+    Trace of_whole_way = found;
+    of_whole_way.s /= end_of_ray(ray);
+    uint fault = answer_fault_of(of_whole_way, bits);
+    if (fault == answer_fault_s) bits = floatBitsToUint(found.s);
+    return fault;
+}
+#endif
+
 Trace checked_trace(ReliefRay ray) {
     Trace found = trace(ray);
 #ifdef RELIEFBENCH_PROBED
     uint bits;
+#ifdef RELIEFBENCH_BENT_RAY
+    uint fault = answer_fault_of(ray, found, bits);
+#else
     uint fault = answer_fault_of(found, bits);
+#endif
     if (fault != answer_fault_none) count_fault(scene.resolution, gl_FragCoord.xy, fault, bits);
 #endif
     return found;
