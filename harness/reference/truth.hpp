@@ -14,9 +14,6 @@
 
 namespace reliefbench {
 
-/// In place of a triangle of the base where there is none.
-constexpr std::uint32_t no_triangle = 0xffffffff;
-
 /// What the truth of a view knows beside where its base is not flat, by pixel.
 struct CurvedTruth {
     /// Of the shaded relief in world space, unit vectors; zeros where there is no hit.

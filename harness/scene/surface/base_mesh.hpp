@@ -12,6 +12,9 @@
 
 namespace reliefbench {
 
+/// In place of a triangle of a mesh where there is none.
+inline constexpr std::uint32_t no_triangle = 0xffffffff;
+
 /// A vertex of a base surface. In single precision, which the device has: what the truth stands on is the same mesh.
 struct MeshVertex {
     glm::vec3 position;

@@ -5,12 +5,9 @@
 #include <glm/vec2.hpp>
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace reliefbench {
-
-inline constexpr std::uint32_t no_triangle = std::numeric_limits<std::uint32_t>::max();
 
 /// Over the bounding box of one chart's (u, v): cells.x × cells.y equal cells. (u, v) is in the cell
 /// floor((uv − low)·cells_per_uv), clamped; cells stand row by row, those of low v first. Of 32 bytes, as a shader's
