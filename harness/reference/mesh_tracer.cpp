@@ -1,9 +1,9 @@
 #include "reference/mesh_tracer.hpp"
 
 #include "core/error.hpp"
+#include "reference/embree_handles.hpp"
 #include "reference/vertex_grid.hpp"
 
-#include <embree3/rtcore.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -26,22 +26,6 @@ constexpr double start_height = 1e-3;
 
 /// Cells along a side of one of Embree's grids, at most 32,766; small enough that grids are built in parallel.
 constexpr int cells_per_grid = 256;
-
-template <auto release>
-struct Release {
-    template <typename Handle>
-    void operator()(Handle* handle) const {
-        release(handle);
-    }
-};
-
-using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release<rtcReleaseDevice>>;
-using SceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, Release<rtcReleaseScene>>;
-using GeometryHandle = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, Release<rtcReleaseGeometry>>;
-
-void keep_message(void* kept, RTCError, const char* message) {
-    *static_cast<std::string*>(kept) = message;
-}
 
 /// What the hit filter needs to know about a ray; Embree hands back the pointer to `context`.
 struct TracedRay {
@@ -98,24 +82,12 @@ void fill_triangles(RTCGeometry geometry, const VertexGrid& mesh) {
     }
 }
 
-#if defined(__SANITIZE_THREAD__)
-constexpr bool under_thread_sanitizer = true;
-#elif defined(__has_feature)
-constexpr bool under_thread_sanitizer = __has_feature(thread_sanitizer);
-#else
-constexpr bool under_thread_sanitizer = false;
-#endif
-
-/// ThreadSanitizer does not see how the threads of Embree's own scheduler, which is not compiled with it, wait for each
-/// other while they build: one thread builds there.
-constexpr const char* embree_configuration = under_thread_sanitizer ? "threads=1" : nullptr;
-
 }  // namespace
 
 struct MeshTracer::Scene {
     std::string message;
-    Device device;
-    SceneHandle scene;
+    embree::Device device;
+    embree::SceneHandle scene;
     const HeightMap* map = nullptr;
     Relief relief;
     Plane plane;
@@ -138,14 +110,14 @@ MeshTracer::MeshTracer(const HeightMap& map, const View& view, int subdivision, 
         scene_->clip ? PatchRegion{} : visible_region(scene_->plane, view.camera, view.relief.height_scale);
     const VertexGrid mesh = enclosing_grid(map, view.relief, region.low, region.high, subdivision);
 
-    scene_->device.reset(rtcNewDevice(embree_configuration));
+    scene_->device.reset(rtcNewDevice(embree::configuration));
     if (!scene_->device) fail("Embree gives no device for the mesh truth: check the package libembree3-3");
     RTCDevice device = scene_->device.get();
-    rtcSetDeviceErrorFunction(device, keep_message, &scene_->message);
+    rtcSetDeviceErrorFunction(device, embree::keep_message, &scene_->message);
     scene_->scene.reset(rtcNewScene(device));
     rtcSetSceneFlags(scene_->scene.get(), RTC_SCENE_FLAG_ROBUST);
 
-    const GeometryHandle geometry(
+    const embree::GeometryHandle geometry(
         rtcNewGeometry(device, kind == Geometry::grid ? RTC_GEOMETRY_TYPE_GRID : RTC_GEOMETRY_TYPE_TRIANGLE));
     void* vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                              sizeof(Vertex), mesh.vertices());

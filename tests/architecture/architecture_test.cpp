@@ -57,7 +57,7 @@ const std::vector<Confinement>& confinements() {
     static const std::vector<Confinement> all{
         {"vulkan/", std::regex("gpu/vulkan\\.hpp"), std::regex("(gpu|technique)/.*")},
         only("OpenImageIO/", "scene/image_file\\.cpp"),
-        only("embree", "reference/mesh_tracer\\.cpp"),
+        only("embree", "reference/(mesh_tracer\\.cpp|embree_scene\\.cpp|embree_handles\\.hpp)"),
         only("glslang/", "gpu/[a-z_]*\\.cpp"),
         only("SPIRV/", "gpu/[a-z_]*\\.cpp"),
         only("spirv/", "gpu/[a-z_]*\\.cpp"),

@@ -1,5 +1,6 @@
 #include "reference/bridge.hpp"
 
+#include "reference/curved_tracer.hpp"
 #include "reference/exact_tracer.hpp"
 #include "reference/truth.hpp"
 
@@ -55,6 +56,27 @@ void truth_image(const Map& map, const View& view, int subdivision, float* hits)
         *hits++ = hit.v;
         *hits++ = hit.h;
         *hits++ = hit.t;
+    }
+}
+
+void trace_curved(const Map& map, const Base& base, const double* rays, int count, double* hits) {
+    const reliefbench::HeightMap heights = make_map(map);
+    reliefbench::Relief relief = make_relief(map);
+    using Kind = reliefbench::BaseSource::Kind;
+    relief.base = reliefbench::load_base({.kind = base.kind == Base::Kind::cylinder ? Kind::cylinder
+                                                  : base.kind == Base::Kind::sphere ? Kind::sphere
+                                                                                    : Kind::saddle,
+                                          .curvature = base.curvature,
+                                          .segments = base.segments});
+    const reliefbench::CurvedTracer tracer(heights, relief);
+    for (int ray = 0; ray < count; ++ray, rays += 6, hits += 4) {
+        hits[3] = -1;
+        const auto found = tracer.trace({{rays[0], rays[1], rays[2]}, {rays[3], rays[4], rays[5]}});
+        if (!found) continue;
+        hits[0] = found->hit.u;
+        hits[1] = found->hit.v;
+        hits[2] = found->hit.h;
+        hits[3] = found->hit.t;
     }
 }
 

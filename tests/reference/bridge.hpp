@@ -32,4 +32,14 @@ void pixel_ray(const View& view, int i, int j, double origin[3], double directio
 /// u, v, h, t of every pixel, row 0 at the top; t = −1 where nothing is hit. Exact with subdivision 0, else the mesh.
 void truth_image(const Map& map, const View& view, int subdivision, float* hits);
 
+/// A generated base: κ and segments a side.
+struct Base {
+    enum class Kind { cylinder, sphere, saddle } kind;
+    double curvature;
+    int segments;
+};
+
+/// Six numbers a ray (origin, direction of unit length) in, four a hit (u, v, h, t) out; t = −1 where nothing is hit.
+void trace_curved(const Map& map, const Base& base, const double* rays, int count, double* hits);
+
 }  // namespace bridge
