@@ -82,10 +82,35 @@ struct Samples {
     }
 };
 
+class LightPathsOverPlane final : public LightPaths {
+public:
+    LightPathsOverPlane(const HitImage& hits, const HeightMap& map, const Relief& relief)
+        : hits_(hits), map_(map), relief_(relief), tracer_(map, relief_) {}
+
+    LitPoint point(std::size_t pixel) const override {
+        const double u = hits_.texels[pixel].u;
+        const double v = hits_.texels[pixel].v;
+        const double h = map_.sample(relief_.tiling * u, relief_.tiling * v);
+        return {.place = surface_point(relief_, u, v, h), .h = h};
+    }
+
+    bool reaches(const LitPoint& point, const glm::dvec3& to_light) const override {
+        const std::optional<Ray> ray = light_ray(flat_base(relief_.base), point.place, to_light);
+        if (!ray) return false;
+        const auto hit = tracer_.trace(*ray);
+        return !hit || hit->h <= point.h + height_tolerance;
+    }
+
+private:
+    const HitImage& hits_;
+    const HeightMap& map_;
+    Relief relief_;
+    ExactTracer tracer_;
+};
+
 class VisibilityTracer {
 public:
-    VisibilityTracer(const HitImage& hits, const HeightMap& map, const View& view, const Lighting& lighting)
-        : hits_(hits), map_(map), relief_(view.relief), tracer_(map, relief_) {
+    VisibilityTracer(const LightPaths& paths, const Lighting& lighting) : paths_(paths) {
         for (const DirectionalLight& light : lighting.lights)
             discs_.emplace_back(light);
     }
@@ -93,47 +118,25 @@ public:
     std::size_t lights() const { return discs_.size(); }
 
     bool is_lit(std::size_t pixel, std::size_t light) const {
-        return reaches(point_of(pixel), discs_[light].to_centre());
+        return paths_.reaches(paths_.point(pixel), discs_[light].to_centre());
     }
 
     /// Goes on to `points` in each scrambling.
     void sample(Samples& samples, int points) const {
-        const Point point = point_of(samples.pixel);
+        const LitPoint point = paths_.point(samples.pixel);
         const std::size_t scrambles = samples.lit.size();
         const std::uint64_t seed = (samples.pixel * lights() + samples.light) * scrambles;
         for (std::size_t scramble = 0; scramble < scrambles; ++scramble) {
             for (int index = samples.points; index < points; ++index) {
                 const glm::dvec2 place = scrambled_sobol_point(static_cast<std::uint32_t>(index), seed + scramble);
-                samples.lit[scramble] += reaches(point, discs_[samples.light].direction(place)) ? 1 : 0;
+                samples.lit[scramble] += paths_.reaches(point, discs_[samples.light].direction(place)) ? 1 : 0;
             }
         }
         samples.points = points;
     }
 
 private:
-    struct Point {
-        glm::dvec3 place;
-        double h = 0;
-    };
-
-    Point point_of(std::size_t pixel) const {
-        const double u = hits_.texels[pixel].u;
-        const double v = hits_.texels[pixel].v;
-        const double h = map_.sample(relief_.tiling * u, relief_.tiling * v);
-        return {surface_point(relief_, u, v, h), h};
-    }
-
-    bool reaches(const Point& point, const glm::dvec3& to_light) const {
-        const std::optional<Ray> ray = light_ray(flat_base(relief_.base), point.place, to_light);
-        if (!ray) return false;
-        const auto hit = tracer_.trace(*ray);
-        return !hit || hit->h <= point.h + height_tolerance;
-    }
-
-    const HitImage& hits_;
-    const HeightMap& map_;
-    Relief relief_;
-    ExactTracer tracer_;
+    const LightPaths& paths_;
     std::vector<LightDisc> discs_;
 };
 
@@ -196,19 +199,24 @@ void trace_soft(const VisibilityTracer& tracer, const HitImage& hits, const Ligh
 
 }  // namespace
 
-LightVisibility trace_light_visibility(const HitImage& hits, const HeightMap& map, const View& view,
+LightVisibility trace_light_visibility(const HitImage& hits, const LightPaths& paths, const View& view,
                                        const Lighting& lighting, const LightSampling& sampling) {
     assert(lighting.lights.size() <= 3 && sampling.scrambles > 1 && sampling.min_points <= sampling.max_points);
     LightVisibility visibility;
     visibility.fractions = Image<std::array<float, 3>>(hits.size, {1, 1, 1});
     if (view.self_shadow.mode == SelfShadow::Mode::off || !lighting.enabled) return visibility;
-    const VisibilityTracer tracer(hits, map, view, lighting);
+    const VisibilityTracer tracer(paths, lighting);
     if (view.self_shadow.mode == SelfShadow::Mode::hard) {
         trace_hard(tracer, hits, visibility);
     } else {
         trace_soft(tracer, hits, sampling, visibility);
     }
     return visibility;
+}
+
+LightVisibility trace_light_visibility(const HitImage& hits, const HeightMap& map, const View& view,
+                                       const Lighting& lighting, const LightSampling& sampling) {
+    return trace_light_visibility(hits, LightPathsOverPlane(hits, map, view.relief), view, lighting, sampling);
 }
 
 }  // namespace reliefbench

@@ -5,7 +5,10 @@
 #include "scene/lighting.hpp"
 #include "scene/relief.hpp"
 
+#include <glm/vec3.hpp>
+
 #include <array>
+#include <cstddef>
 #include <optional>
 
 namespace reliefbench {
@@ -31,12 +34,38 @@ struct LightVisibility {
     std::optional<double> standard_error;
 };
 
-/// The light ray of a direction through a point enters the relief from the light's side and is traced exactly
-/// (ExactTracer); the point is lit when that meets the sheet nowhere before it. So back faces are transparent, and what
-/// lies outside of a clipped patch shadows nothing. A direction that does not rise above the polygon brings no light.
+/// A point of the relief that light may come to.
+struct LitPoint {
+    glm::dvec3 place{};
+    /// Its height in the relief.
+    double h = 0;
+    /// The base's there.
+    glm::dvec3 normal{0, 0, 1};
+};
+
+/// The ways of light to the hits of a picture past one relief.
+class LightPaths {
+public:
+    LightPaths() = default;
+    LightPaths(const LightPaths&) = delete;
+    LightPaths& operator=(const LightPaths&) = delete;
+    virtual ~LightPaths() = default;
+
+    /// Of a pixel that has a hit.
+    virtual LitPoint point(std::size_t pixel) const = 0;
+    /// Whether light comes to it from that direction, a unit vector.
+    virtual bool reaches(const LitPoint& point, const glm::dvec3& to_light) const = 0;
+};
+
 /// `SelfShadow::Mode::hard`: the one direction to the light. `soft`: the fraction of directions within the light's
-/// angular radius, uniform over their solid angle. `off`, and lighting that is off: all 1. A hit stands for the surface
-/// over its (u, v), whatever its h.
+/// angular radius, uniform over their solid angle. `off`, and lighting that is off: all 1.
+LightVisibility trace_light_visibility(const HitImage& hits, const LightPaths& paths, const View& view,
+                                       const Lighting& lighting, const LightSampling& sampling = {});
+
+/// Over the plane. The light ray of a direction through a point enters the relief from the light's side and is traced
+/// exactly (ExactTracer); the point is lit when that meets the sheet nowhere before it. So back faces are transparent,
+/// and what lies outside of a clipped patch shadows nothing. A direction that does not rise above the polygon brings no
+/// light. A hit stands for the surface over its (u, v), whatever its h.
 LightVisibility trace_light_visibility(const HitImage& hits, const HeightMap& map, const View& view,
                                        const Lighting& lighting, const LightSampling& sampling = {});
 

@@ -1,8 +1,9 @@
 #include "reference/truth.hpp"
 
-#include "core/parallel.hpp"
+#include "reference/curved_truth.hpp"
 #include "reference/exact_tracer.hpp"
 #include "reference/mesh_tracer.hpp"
+#include "reference/pixel_loop.hpp"
 #include "reference/shading.hpp"
 #include "reference/ties.hpp"
 #include "scene/shading_normal.hpp"
@@ -11,24 +12,6 @@
 
 namespace reliefbench {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-/// Calls body(i, j) for every pixel, rows in parallel.
-template <typename Body>
-void for_each_pixel(Resolution resolution, const Body& body) {
-    constexpr std::size_t rows_per_task = 4;
-    parallel_for(static_cast<std::size_t>(resolution.height), rows_per_task, [&](std::size_t begin, std::size_t end) {
-        for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j) {
-            for (int i = 0; i < resolution.width; ++i)
-                body(i, j);
-        }
-    });
-}
 
 Hit to_hit(const ExactHit& hit) {
     return {static_cast<float>(hit.u), static_cast<float>(hit.v), static_cast<float>(hit.h), static_cast<float>(hit.t)};
@@ -73,10 +56,34 @@ void mark_ties(Truth& truth, const HeightMap& map, const View& view, const Exact
     });
 }
 
+/// Calls normal(i, j) for each pixel that has a hit.
+template <typename Normal>
+Image<std::array<float, 3>> shade_with(const HitImage& hits, const Image<std::array<float, 3>>& visibility,
+                                       const Albedo& albedo, const View& view, const Lighting& lighting,
+                                       const Normal& normal) {
+    const double tiling = view.relief.tiling;
+    const PixelRays rays = pixel_rays(view);
+    Image<std::array<float, 3>> colour(hits.size);
+    for_each_pixel(hits.size, [&](int i, int j) {
+        const Hit& hit = hits.at(i, j);
+        glm::dvec3 linear = lighting.background;
+        if (hit.is_hit()) {
+            const std::array<double, 3> sampled = albedo.sample(tiling * hit.u, tiling * hit.v);
+            const glm::dvec3 to_eye = -rays.at(i, j).direction;
+            const std::array<float, 3>& lit = visibility.at(i, j);
+            linear = shade(lighting, {sampled[0], sampled[1], sampled[2]}, normal(i, j), to_eye, hit.t,
+                           {lit[0], lit[1], lit[2]});
+        }
+        colour.at(i, j) = to_float(linear);
+    });
+    return colour;
+}
+
 }  // namespace
 
 Truth trace_exact_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting) {
-    const Clock::time_point start = Clock::now();
+    if (!is_flat(view.relief.base)) return trace_curved_truth(map, albedo, view, lighting);
+    const auto start = std::chrono::steady_clock::now();
     const ExactTracer tracer(map, view.relief);
     Truth truth = trace_hits(view, [&](const Ray& ray) { return tracer.trace(ray); });
     mark_ties(truth, map, view, tracer);
@@ -87,7 +94,8 @@ Truth trace_exact_truth(const HeightMap& map, const Albedo& albedo, const View& 
 
 Truth trace_mesh_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting,
                        int subdivision) {
-    const Clock::time_point start = Clock::now();
+    if (!is_flat(view.relief.base)) return trace_diced_truth(map, albedo, view, lighting, subdivision);
+    const auto start = std::chrono::steady_clock::now();
     const MeshTracer tracer(map, view, subdivision);
     Truth truth = trace_hits(view, [&](const Ray& ray) { return tracer.trace(ray); });
     mark_ties(truth, map, view, ExactTracer(map, view.relief));
@@ -116,23 +124,19 @@ Image<std::array<float, 3>> shade_hits(const HitImage& hits, const Image<std::ar
                                        const HeightMap& map, const Albedo& albedo, const View& view,
                                        const Lighting& lighting) {
     const Image<std::array<float, 2>> derivatives = height_derivatives(map);
-    const double tiling = view.relief.tiling;
-    const PixelRays rays = pixel_rays(view);
-    Image<std::array<float, 3>> colour(hits.size);
-    for_each_pixel(hits.size, [&](int i, int j) {
+    return shade_with(hits, visibility, albedo, view, lighting, [&](int i, int j) {
         const Hit& hit = hits.at(i, j);
-        glm::dvec3 linear = lighting.background;
-        if (hit.is_hit()) {
-            const std::array<double, 3> sampled = albedo.sample(tiling * hit.u, tiling * hit.v);
-            const glm::dvec3 normal = shading_normal(derivatives, view.relief, hit.u, hit.v);
-            const glm::dvec3 to_eye = -rays.at(i, j).direction;
-            const std::array<float, 3>& lit = visibility.at(i, j);
-            linear =
-                shade(lighting, {sampled[0], sampled[1], sampled[2]}, normal, to_eye, hit.t, {lit[0], lit[1], lit[2]});
-        }
-        colour.at(i, j) = to_float(linear);
+        return shading_normal(derivatives, view.relief, hit.u, hit.v);
     });
-    return colour;
+}
+
+Image<std::array<float, 3>> shade_hits(const HitImage& hits, const Image<std::array<float, 3>>& visibility,
+                                       const Image<std::array<float, 3>>& normals, const Albedo& albedo,
+                                       const View& view, const Lighting& lighting) {
+    return shade_with(hits, visibility, albedo, view, lighting, [&](int i, int j) {
+        const std::array<float, 3>& normal = normals.at(i, j);
+        return glm::dvec3(normal[0], normal[1], normal[2]);
+    });
 }
 
 Image<std::array<float, 3>> shade_hits(const HitImage& hits, const HeightMap& map, const Albedo& albedo,

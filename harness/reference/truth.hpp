@@ -44,7 +44,8 @@ struct Truth {
     double trace_ms = 0;
 };
 
-/// Boundary::clip traces every pixel (the relief can be seen outside F); Boundary::repeat those in F.
+/// Boundary::clip traces every pixel (the relief can be seen outside F); Boundary::repeat those in F. Over a base of
+/// triangles the mesh is diced (DicedMesh), and both throw Error in the portable build.
 Truth trace_exact_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting);
 Truth trace_mesh_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting,
                        int subdivision);
@@ -52,11 +53,15 @@ Truth trace_mesh_truth(const HeightMap& map, const Albedo& albedo, const View& v
 /// Puts the object into a truth's picture where it is in front of the relief. It neither casts nor receives shadows.
 void show_object(Truth& truth, const SceneObject& object, const View& view, const Lighting& lighting);
 
-/// Linear RGB of a hit image, shaded as the truth is; `visibility` of each light at each hit.
+/// Linear RGB of a hit image over the plane, shaded as the truth is; `visibility` of each light at each hit.
 Image<std::array<float, 3>> shade_hits(const HitImage& hits, const Image<std::array<float, 3>>& visibility,
                                        const HeightMap& map, const Albedo& albedo, const View& view,
                                        const Lighting& lighting);
-/// The same without shadows.
+/// The same over any base, with the shading normals at the hits.
+Image<std::array<float, 3>> shade_hits(const HitImage& hits, const Image<std::array<float, 3>>& visibility,
+                                       const Image<std::array<float, 3>>& normals, const Albedo& albedo,
+                                       const View& view, const Lighting& lighting);
+/// The first without shadows.
 Image<std::array<float, 3>> shade_hits(const HitImage& hits, const HeightMap& map, const Albedo& albedo,
                                        const View& view, const Lighting& lighting);
 
