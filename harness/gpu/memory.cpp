@@ -68,6 +68,16 @@ Buffer make_filled_buffer(const Device& device, vk::BufferUsageFlags usage, std:
     return buffer;
 }
 
+Buffer make_device_buffer(const Device& device, vk::BufferUsageFlags usage, std::span<const std::byte> bytes) {
+    Buffer buffer(device, bytes.size(), usage | vk::BufferUsageFlagBits::eTransferDst, false);
+    const Buffer staging = make_filled_buffer(device, vk::BufferUsageFlagBits::eTransferSrc, bytes);
+    submit_and_wait(device, "upload a buffer", [&](const vk::raii::CommandBuffer& commands) {
+        commands.copyBuffer(*staging.buffer, *buffer.buffer, vk::BufferCopy{.size = bytes.size()});
+        full_barrier(commands);
+    });
+    return buffer;
+}
+
 Texture::Texture(const Device& device, vk::Extent2D size, vk::Format texel_format, std::uint32_t level_count,
                  vk::ImageUsageFlags usage, std::uint32_t slice_count)
     : extent(size), slices(slice_count), format(texel_format), levels(level_count) {

@@ -23,6 +23,9 @@ struct Buffer {
 /// Host-visible buffer that holds `bytes`.
 Buffer make_filled_buffer(const Device& device, vk::BufferUsageFlags usage, std::span<const std::byte> bytes);
 
+/// The same in the device's own memory, as shaders that read it often want it.
+Buffer make_device_buffer(const Device& device, vk::BufferUsageFlags usage, std::span<const std::byte> bytes);
+
 /// An image with memory of its own, a view of all its levels, and one of each.
 struct Texture {
     /// `slices`: of a three-dimensional image, which has one level; 0 makes one of two dimensions.

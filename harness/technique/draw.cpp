@@ -14,10 +14,11 @@ constexpr std::uint32_t object_vertices = 3;
 constexpr const char* srgb_target = "srgb_target";
 constexpr const char* lighting_enabled = "lighting_enabled";
 
-std::vector<vk::Format> target_formats(Draw::Kind kind) {
+std::vector<vk::Format> target_formats(Draw::Kind kind, const BaseSurface& base) {
     switch (kind) {
         case Draw::Kind::probed:
-            return {vk::Format::eR32G32B32A32Sfloat, vk::Format::eR32G32B32A32Sfloat, vk::Format::eR32G32B32A32Sfloat};
+            // Colours, hits, shadows; normals, which over a flat base follow from the hits.
+            return std::vector<vk::Format>(is_flat(base) ? 3 : 4, vk::Format::eR32G32B32A32Sfloat);
         case Draw::Kind::timed_display:
             return {vk::Format::eR8G8B8A8Unorm};
         case Draw::Kind::timed_float:
@@ -45,7 +46,7 @@ gpu::GraphicsPipelineOptions pipeline_options(const gpu::Device& device, const T
         .stages = compile_draw(device, technique, setup.parameters,
                                kind == Draw::Kind::probed ? Variant::probed : Variant::timed, setup.view),
         .constants = setup.constants,
-        .colour_formats = target_formats(kind),
+        .colour_formats = target_formats(kind, setup.view.relief.base),
         .depth_format = depth_format,
         .extent = target_extent(setup.view),
         .topology = setup.geometry.topology,
@@ -66,7 +67,7 @@ Draw::Draw(const gpu::Device& device, const Technique& technique, Kind kind, con
       geometry_(setup.geometry),
       depth_(device, extent_, depth_format, 1,
              vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eTransferSrc) {
-    for (const vk::Format format : target_formats(kind))
+    for (const vk::Format format : target_formats(kind, setup.view.relief.base))
         colours_.emplace_back(device, extent_, format, 1,
                               vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc);
     clears_.push_back(background_of(kind, setup.background));
@@ -76,6 +77,7 @@ Draw::Draw(const gpu::Device& device, const Technique& technique, Kind kind, con
     if (kind == Kind::probed) {
         clears_.push_back({.float32 = std::array<float, 4>{0, 0, 0, -1}});
         clears_.push_back({.float32 = std::array<float, 4>{1, 1, 1, 0}});
+        clears_.push_back({.float32 = std::array<float, 4>{0, 0, 0, 0}});
         const std::size_t pixels = std::size_t{extent_.width} * extent_.height;
         work_.emplace(device, pixels);
         bindings.push_back(gpu::storage_buffer(WorkCounters::name, work_->buffer()));

@@ -33,23 +33,21 @@ gpu::Buffer upload(const gpu::Device& device, const SceneObject& object) {
                                    std::as_bytes(std::span(&uniforms, 1)));
 }
 
-gpu::CompiledStage compile(const gpu::Device& device, const std::filesystem::path& shaders, gpu::ShaderStage stage,
-                           const char* file) {
-    const gpu::ShaderSource source{.stage = stage,
-                                   .file = file,
-                                   .roots = shared_shader_folders(shaders),
-                                   .generated = {},
-                                   .preamble = indexes_scene(device) ? "#define RELIEFBENCH_INDEXED_SCENE 1\n" : ""};
-    const std::string key = fmt::format("{}\n{}", shaders.string(), file);
+gpu::CompiledStage compile(const gpu::Device& device, const std::filesystem::path& shaders, const std::string& preamble,
+                           gpu::ShaderStage stage, const char* file) {
+    const gpu::ShaderSource source{
+        .stage = stage, .file = file, .roots = shared_shader_folders(shaders), .generated = {}, .preamble = preamble};
+    const std::string key = fmt::format("{}\n{}\n{}", shaders.string(), file, preamble);
     return {stage, device.shader_cache().get(key, [&] { return gpu::compile_shader(source); })};
 }
 
 }  // namespace
 
-ObjectOnDevice::ObjectOnDevice(const gpu::Device& device, const SceneObject& object, std::filesystem::path shaders,
-                               const gpu::Binding& scene)
+ObjectOnDevice::ObjectOnDevice(const gpu::Device& device, const SceneObject& object, const BaseSurface& base,
+                               std::filesystem::path shaders, const gpu::Binding& scene)
     : device_(&device),
       shape_(object.shape),
+      preamble_((indexes_scene(device) ? "#define RELIEFBENCH_INDEXED_SCENE 1\n" : "") + declare_base(base)),
       shaders_(std::move(shaders)),
       scene_(scene),
       uniforms_(upload(device, object)) {}
@@ -57,8 +55,8 @@ ObjectOnDevice::ObjectOnDevice(const gpu::Device& device, const SceneObject& obj
 gpu::Pipeline ObjectOnDevice::make_pipeline(const std::vector<vk::Format>& colour_formats, vk::Format depth_format,
                                             vk::Extent2D extent, const gpu::SpecializationValues& constants) const {
     gpu::GraphicsPipelineOptions options{
-        .stages = {compile(*device_, shaders_, gpu::ShaderStage::vertex, "object.vert"),
-                   compile(*device_, shaders_, gpu::ShaderStage::fragment, "object.frag")},
+        .stages = {compile(*device_, shaders_, preamble_, gpu::ShaderStage::vertex, "object.vert"),
+                   compile(*device_, shaders_, preamble_, gpu::ShaderStage::fragment, "object.frag")},
         .constants = constants,
         .colour_formats = colour_formats,
         .depth_format = depth_format,

@@ -5,8 +5,10 @@
 #include "gpu/memory.hpp"
 #include "gpu/pipeline.hpp"
 #include "scene/scene_object.hpp"
+#include "scene/surface/base_surface.hpp"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace reliefbench {
@@ -14,9 +16,10 @@ namespace reliefbench {
 /// The scene's object on the device.
 class ObjectOnDevice {
 public:
-    /// `shaders`: the folder of the shared GLSL; `scene`: the binding of the scene's uniforms, which must outlive it.
-    ObjectOnDevice(const gpu::Device& device, const SceneObject& object, std::filesystem::path shaders,
-                   const gpu::Binding& scene);
+    /// `base`: what the relief lies on; `shaders`: the folder of the shared GLSL; `scene`: the binding of the scene's
+    /// uniforms, which must outlive it.
+    ObjectOnDevice(const gpu::Device& device, const SceneObject& object, const BaseSurface& base,
+                   std::filesystem::path shaders, const gpu::Binding& scene);
 
     /// Draws it with three vertices into targets of these formats: its colour with an alpha of `object_alpha`, and its
     /// depth.
@@ -26,6 +29,8 @@ public:
 private:
     const gpu::Device* device_;
     SceneObject::Shape shape_;
+    /// In front of its shaders.
+    std::string preamble_;
     std::filesystem::path shaders_;
     gpu::Binding scene_;
     gpu::Buffer uniforms_;

@@ -164,6 +164,10 @@ bool indexes_scene(const gpu::Device& device) {
     return device.info().type == gpu::DeviceType::cpu;
 }
 
+std::string declare_base(const BaseSurface& base) {
+    return is_flat(base) ? "" : "#define RELIEFBENCH_CURVED 1\n";
+}
+
 std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Technique& technique,
                                              const ParameterValues& parameters, Variant variant, const View& view) {
     const Manifest& manifest = technique.manifest;
@@ -181,8 +185,9 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
     std::string key = fmt::format("{} {}{}", probed ? "probed" : "timed", static_cast<int>(view.depth_write),
                                   compile_time_key(manifest, parameters));
     const std::string of_pipeline = pipeline_of(manifest).preamble(manifest, parameters);
-    preamble += of_pipeline;
-    key += of_pipeline;
+    const std::string of_base = declare_base(view.relief.base);
+    preamble += of_pipeline + of_base;
+    key += of_pipeline + of_base;
 
     std::vector<gpu::CompiledStage> stages;
     for (const std::string& file : stage_files(manifest.shape.kind)) {

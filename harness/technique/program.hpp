@@ -6,6 +6,7 @@
 #include "scene/relief.hpp"
 #include "technique/technique.hpp"
 
+#include <string>
 #include <vector>
 
 namespace reliefbench {
@@ -14,6 +15,9 @@ namespace reliefbench {
 /// (Mesa 22.3) otherwise writes those that conditions depend on into a copy of the shader at every draw and compiles
 /// that, within the timestamps (3 ms and more a draw), and keeps it until the pipeline is gone (1 MB a submission).
 bool indexes_scene(const gpu::Device& device);
+
+/// What shaders of a base are compiled with: empty for a flat one.
+std::string declare_base(const BaseSurface& base);
 
 /// The two compilations of a technique's draw, and of its passes.
 enum class Variant { timed, probed };

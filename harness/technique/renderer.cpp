@@ -4,6 +4,7 @@
 #include "gpu/commands.hpp"
 #include "gpu/recording.hpp"
 #include "gpu/timers.hpp"
+#include "technique/base_on_device.hpp"
 #include "technique/derived_maps.hpp"
 #include "technique/draw.hpp"
 #include "technique/object_draw.hpp"
@@ -12,6 +13,7 @@
 #include "technique/scene_textures.hpp"
 #include "technique/scene_uniforms.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstring>
@@ -106,6 +108,7 @@ struct Renderer::State {
           view(used_view),
           lighting(used_lighting),
           maps(device, technique, parameters, scene.textures()),
+          base(scene.textures().bases.get(view.relief.base)),
           object(used_object),
           uniforms(make_uniforms(view)),
           setup(make_setup(view, uniforms)) {
@@ -121,6 +124,8 @@ struct Renderer::State {
     View view;
     Lighting lighting;
     DerivedMaps maps;
+    /// Null for a flat one.
+    std::shared_ptr<const BaseOnDevice> base;
     std::optional<SceneObject> object;
     gpu::Buffer uniforms;
     DrawSetup setup;
@@ -165,8 +170,13 @@ DrawSetup Renderer::State::make_setup(const View& from, const gpu::Buffer& value
     result.bindings.push_back(gpu::uniform_buffer(scene_block_name, values.buffer));
     for (const gpu::Binding& map : maps.draw_bindings())
         result.bindings.push_back(map);
+    if (base) {
+        for (const gpu::Binding& binding : base->bindings())
+            result.bindings.push_back(binding);
+    }
     if (object)
-        result.object.emplace(device, *object, technique.shaders, gpu::uniform_buffer(scene_block_name, values.buffer));
+        result.object.emplace(device, *object, from.relief.base, technique.shaders,
+                              gpu::uniform_buffer(scene_block_name, values.buffer));
     result.geometry = geometry_of(from);
     for (int i = 0; i < 3; ++i)
         result.background[static_cast<std::size_t>(i)] = static_cast<float>(lighting.background[i]);
@@ -196,8 +206,16 @@ Probe Renderer::State::probe(const DrawSetup& from) const {
                 .work = Image<PixelWork>(size),
                 .light_visibility = Image<std::array<float, 3>>(size),
                 .shadow_taps = Image<std::uint32_t>(size),
+                .normals = std::nullopt,
                 .front = std::nullopt,
                 .stages = to_work(stages)};
+    if (base) {
+        probe.normals = Image<std::array<float, 3>>(size);
+        const auto normals = to_image<std::array<float, 4>>(size, draw.read_target(3));
+        std::ranges::transform(normals.texels, probe.normals->texels.begin(), [](const std::array<float, 4>& normal) {
+            return std::array<float, 3>{normal[0], normal[1], normal[2]};
+        });
+    }
     if (stages.fault != 0) probe.faults.push_back(decode_answer_fault(stages.fault, stages.fault_bits));
     for (std::size_t i = 0; i < size.pixels(); ++i) {
         const std::array<float, 4>& colour = colours.texels[i];

@@ -28,7 +28,8 @@ namespace gpu {
 class Device;
 }
 
-/// Height map, derivatives and albedo as textures. Shared by every renderer of a block.
+/// Height map, derivatives and albedo as textures, and the meshes of the bases that renderers draw. Shared by every
+/// renderer of a block.
 class SceneOnDevice {
 public:
     SceneOnDevice(const gpu::Device& device, const HeightMap& map, const Albedo& albedo);
@@ -54,6 +55,9 @@ struct Probe {
     Image<std::array<float, 3>> light_visibility;
     /// Taps of the shadows of each pixel, which are not in `work`.
     Image<std::uint32_t> shadow_taps;
+    /// Of the surface as it is shaded, in the world, unit vectors; zeros where there is no hit. Empty over a flat base,
+    /// where they follow from the hits.
+    std::optional<Image<std::array<float, 3>>> normals = std::nullopt;
     /// What is in front, as the timed compilation's depths decide it; `hits` are the relief's, whatever covers them.
     /// Empty without an object.
     std::optional<Image<Front>> front;

@@ -85,7 +85,8 @@ SceneOnDevice::Textures::Textures(const gpu::Device& device, const HeightMap& ma
       derivatives(make_texture(device, size, vk::Format::eR32G32Sfloat, to_bytes(height_derivatives(map).texels))),
       albedo(make_albedo_texture(device, scene_albedo)),
       linear_repeat(gpu::make_sampler(device, {})),
-      nearest_repeat(gpu::make_sampler(device, {.filter = vk::Filter::eNearest})) {}
+      nearest_repeat(gpu::make_sampler(device, {.filter = vk::Filter::eNearest})),
+      bases(device) {}
 
 std::vector<gpu::Binding> SceneOnDevice::Textures::height_bindings() const {
     constexpr auto layout = vk::ImageLayout::eShaderReadOnlyOptimal;

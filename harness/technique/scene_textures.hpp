@@ -4,6 +4,7 @@
 
 #include "gpu/memory.hpp"
 #include "gpu/pipeline.hpp"
+#include "technique/base_on_device.hpp"
 #include "technique/renderer.hpp"
 
 #include <string>
@@ -21,6 +22,7 @@ struct SceneOnDevice::Textures {
     gpu::Texture albedo;
     vk::raii::Sampler linear_repeat;
     vk::raii::Sampler nearest_repeat;
+    BasesOnDevice bases;
 
     /// What preparation passes see.
     std::vector<gpu::Binding> height_bindings() const;

@@ -44,6 +44,10 @@ SceneUniforms make_scene_uniforms(const View& view, const Lighting& lighting, co
     uniforms.patches_per_side = patches.per_side;
     uniforms.first_patch = patches.first;
     uniforms.patch_count = patches.count;
+    const ParallelWindow window = parallel_window(view.relief.base, view.camera, view.relief.height_scale);
+    uniforms.window_low = glm::vec2(window.low);
+    uniforms.window_size = glm::vec2(window.high - window.low);
+    uniforms.window_top = static_cast<float>(window.top);
     return uniforms;
 }
 

@@ -39,12 +39,18 @@ struct SceneUniforms {
     glm::ivec2 patches_per_side;
     glm::ivec2 first_patch;
     glm::ivec2 patch_count;
+    /// From here on of bases that are not flat only: of parallel rays, ParallelWindow.
+    glm::vec2 window_low;
+    glm::vec2 window_size;
+    float window_top;
+    std::array<float, 3> unused;
 };
 static_assert(offsetof(SceneUniforms, eye) == 64);
 static_assert(offsetof(SceneUniforms, light_direction) == 128);
 static_assert(offsetof(SceneUniforms, ambient) == 224);
 static_assert(offsetof(SceneUniforms, resolution) == 272);
-static_assert(sizeof(SceneUniforms) == 304);
+static_assert(offsetof(SceneUniforms, window_low) == 304);
+static_assert(sizeof(SceneUniforms) == 336);
 
 /// The name of the uniform block in harness/shaders/contract/scene.glsl.
 inline constexpr const char* scene_block_name = "scene_block";

@@ -84,6 +84,9 @@ std::string unsupported_reason(const gpu::Device& device, const Technique& techn
                                const View& view, Resolution height_map) {
     const std::string unmet = unmet_map_need(technique.manifest, height_map, view.relief);
     if (!unmet.empty()) return unmet;
+    if (technique.manifest.contract == 1 && !is_flat(view.relief.base))
+        return "it is written to contract 1, whose rays know nothing of stretch and bend: it is drawn over the plane "
+               "only";
     const gpu::DeviceInfo& info = device.info();
     std::vector<std::string> needed = technique.manifest.features;
     needed.emplace_back("fragmentStoresAndAtomics");

@@ -27,6 +27,12 @@ struct SceneValues {
     ivec2 patches_per_side;
     ivec2 first_patch;  // may be negative where the relief repeats past the unit square
     ivec2 patch_count;
+#ifdef RELIEFBENCH_CURVED
+    // Of parallel rays: the part of z = 0 that fills the picture, and the height from which they start.
+    vec2 window_low;
+    vec2 window_size;
+    float window_top;
+#endif
 };
 
 layout(set = 0, binding = 0, std140) uniform Scene {
@@ -54,26 +60,37 @@ layout(constant_id = 6) const int self_shadow = self_shadow_off;
 
 // The ray of a pixel, from the camera alone: what the rasteriser interpolates would depend on its precision.
 struct ViewRay {
-    vec3 origin;     // the eye; of parallel rays the point in z = 0
+    vec3 origin;     // the eye; of parallel rays the point in z = 0, or at the window's top
     vec3 direction;  // unit
-    vec2 entry;      // patch coordinates where it crosses z = 0
+    vec2 entry;      // patch coordinates where it crosses z = 0; over a curved base what the stage finds (enter_base)
     float entry_t;   // distance from `origin` to there
 };
 
 ViewRay view_ray(vec2 fragment) {
     vec2 across = fragment / vec2(scene.resolution);
     if (scene.parallel_rays != 0) {
+#ifdef RELIEFBENCH_CURVED
+        vec3 place = vec3(scene.window_low + vec2(across.x, 1.0 - across.y) * scene.window_size, 0.0);
+        return ViewRay(place + scene.forward * (scene.window_top / scene.forward.z), scene.forward, vec2(0.0), 0.0);
+#endif
         vec2 entry = vec2(across.x, 1.0 - across.y);
         return ViewRay(vec3(entry - 0.5, 0.0), scene.forward, entry, 0.0);
     }
     vec3 direction =
         normalize(scene.forward + scene.right * (2.0 * across.x - 1.0) + scene.up * (1.0 - 2.0 * across.y));
+#ifdef RELIEFBENCH_CURVED
+    return ViewRay(scene.eye, direction, vec2(0.0), 0.0);
+#endif
     float entry_t = -scene.eye.z / direction.z;
     return ViewRay(scene.eye, direction, scene.eye.xy + direction.xy * entry_t + 0.5, entry_t);
 }
 
-// S(u, v) of a height h.
+// S(u, v) of a height h. Over a curved base (u, v) does not name a point: it is the stage's to know the triangle.
+#ifdef RELIEFBENCH_CURVED
+vec3 surface_point(vec2 patch_uv, float h);
+#else
 vec3 surface_point(vec2 patch_uv, float h) { return vec3(patch_uv - 0.5, (h - 1.0) * scene.height_scale); }
+#endif
 
 bool inside_patch(vec2 patch_uv) {
     return all(greaterThanEqual(patch_uv, vec2(0.0))) && all(lessThanEqual(patch_uv, vec2(1.0)));

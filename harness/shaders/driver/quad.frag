@@ -1,10 +1,20 @@
 // A per-pixel technique: its trace() from the ray of this pixel, then the boundary, the depth, the shadows and the colour.
 
 #include "lod_fade.glsl"
+#ifndef RELIEFBENCH_CURVED
 #include "plane_ray.glsl"
+#endif
 #include "relief.glsl"
 #include "scene.glsl"
 #include "surface.glsl"
+#ifdef RELIEFBENCH_CURVED
+#include "curved_ray.glsl"
+
+layout(location = 0) flat in int triangle_index;
+
+// The largest depth before that of nothing.
+const float deepest = 0.99999994;
+#endif
 #ifdef RELIEFBENCH_PROBED
 #include "work.glsl"
 // A pixel that a technique discards has done its work all the same.
@@ -25,6 +35,20 @@ layout(depth_greater) out float gl_FragDepth;
 
 void main() {
     ViewRay view = view_ray(gl_FragCoord.xy);
+#ifdef RELIEFBENCH_CURVED
+    if (!enter_base(view, triangle_index)) {
+        // Seen from behind its normals, though not from behind its facet.
+        count_pixel(scene.resolution, gl_FragCoord.xy, 0, true);
+        discard;
+    }
+    float t_per_s = scene.height_scale / -way_over_base(view.direction).z;
+    vec2 offset = curved_offset(-view.direction);
+    vec2 max_offset = offset / scene.tiling;
+    vec2 uv_dx = scene.tiling * curved_entry.uv_dx;
+    vec2 uv_dy = scene.tiling * curved_entry.uv_dy;
+    ReliefRay ray = curved_ray(scene.tiling * view.entry, offset, -view.direction, uv_dx, uv_dy,
+                               footprint_level(uv_dx, uv_dy));
+#else
     float t_per_s = scene.height_scale / -view.direction.z;
     vec2 max_offset = view.direction.xy * t_per_s;
 
@@ -33,6 +57,7 @@ void main() {
     vec2 uv_dy = dFdy(uv);
     ReliefRay ray = plane_ray(uv, scene.tiling * max_offset, -view.direction, uv_dx, uv_dy,
                               footprint_level(uv_dx, uv_dy));
+#endif
     float fade = lod_fade_at(ray, view.entry_t);
 #ifdef RELIEFBENCH_PROBED
     count_begin(scene.resolution, gl_FragCoord.xy);
@@ -58,8 +83,14 @@ void main() {
     if (!relief_repeats && !inside_patch(hit.xy)) discard;
 
 #ifdef RELIEFBENCH_WRITE_DEPTH
+#ifdef RELIEFBENCH_CURVED
+    vec4 clip = scene.clip_from_world * vec4(view.origin + hit.w * view.direction, 1.0);
+    // A straight ray may hit below all that the base and its floor span: there it is still nearer than nothing.
+    float depth = min(clip.z / clip.w, deepest);
+#else
     vec4 clip = scene.clip_from_world * vec4(surface_point(hit.xy, hit.z), 1.0);
     float depth = clip.z / clip.w;
+#endif
 #ifdef RELIEFBENCH_CONSERVATIVE_DEPTH
     // The relief lies beneath its polygon; but rounding, and an answer beside the ray, may come out nearer.
     depth = max(depth, gl_FragCoord.z);
@@ -76,5 +107,10 @@ void main() {
 #ifdef RELIEFBENCH_PROBED
     count_end(scene.resolution, gl_FragCoord.xy);
 #endif
+#ifdef RELIEFBENCH_CURVED
+    vec3 normal = found.flat_normal ? curved_entry.frame[2] : curved_normal(surface_slope(hit.xy));
+    write_surface(hit, view.direction, normal, visibility);
+#else
     write_surface(hit, view.direction, found.flat_normal, visibility);
+#endif
 }

@@ -5,7 +5,11 @@
 // harness/scene/self_shadow.hpp, over the technique's own trace() where its shadow_search is own.
 
 #include "checked_trace.glsl"
+#ifdef RELIEFBENCH_CURVED
+#include "curved_ray.glsl"
+#else
 #include "plane_ray.glsl"
+#endif
 #include "relief.glsl"
 #include "scene.glsl"
 
@@ -96,7 +100,11 @@ float dykhta_visibility(ReliefRay ray, vec2 uv, float s_point) {
 // Tatarchuk 2006, as in the DirectX SDK's sample: the highest of a few heights above the light's way, which rises by 1
 // within the light's own offset, not divided by its z.
 float tatarchuk_visibility(ReliefRay ray, vec2 uv, float h) {
+#ifdef RELIEFBENCH_CURVED
+    vec2 full_offset = ray.height_scale * ray.uv_per_length * ray.to_eye.xy;
+#else
     vec2 full_offset = scene.tiling * scene.height_scale * ray.to_eye.xy;
+#endif
     float shadow = 0.0;
     for (int i = 0; i < tatarchuk_taps; ++i) {
         vec2 blocker = uv + tatarchuk_distances[i] * full_offset;
@@ -110,6 +118,14 @@ float tatarchuk_visibility(ReliefRay ray, vec2 uv, float h) {
 // Of the light from `to_light` at the surface over texture coordinates `uv`, whose height is `h`. The light's ray has the
 // footprint of `view_ray`.
 float visibility_of_light(vec3 to_light, vec2 uv, float h, ReliefRay view_ray) {
+#ifdef RELIEFBENCH_CURVED
+    // In the frame of the pixel's entry, as engines have it.
+    if (dot(to_light, curved_entry.frame[2]) <= 0.0 || way_over_base(to_light).z <= 0.0) return 0.0;
+    vec2 max_offset = curved_offset(to_light);
+    float s_point = 1.0 - h;
+    ReliefRay ray = curved_ray(uv - s_point * max_offset, max_offset, to_light, view_ray.uv_dx, view_ray.uv_dy,
+                               view_ray.level);
+#else
     // The ground that the relief is sunk into is opaque.
     if (to_light.z <= 0.0) return 0.0;
     float height = scene.tiling * scene.height_scale;
@@ -117,6 +133,7 @@ float visibility_of_light(vec3 to_light, vec2 uv, float h, ReliefRay view_ray) {
     float s_point = 1.0 - h;
     ReliefRay ray = plane_ray(uv - s_point * max_offset, max_offset, to_light, view_ray.uv_dx, view_ray.uv_dy,
                               view_ray.level);
+#endif
     if (self_shadow == self_shadow_hard) return hard_visibility(ray, s_point);
     if (self_shadow == self_shadow_dykhta) return dykhta_visibility(ray, uv, s_point);
     return tatarchuk_visibility(ray, uv, h);

@@ -15,22 +15,42 @@ layout(location = 0) out vec4 colour_target;
 #ifdef RELIEFBENCH_PROBED
 layout(location = 1) out vec4 hit_target;
 layout(location = 2) out vec4 shadow_target;
+#ifdef RELIEFBENCH_CURVED
+layout(location = 3) out vec4 normal_target;
+#endif
+#endif
+
+#ifdef RELIEFBENCH_CURVED
+// How the relief's offset along N changes with u and v.
+vec2 surface_slope(vec2 patch_uv) {
+    return scene.height_scale * scene.tiling * textureLod(height_derivatives, scene.tiling * patch_uv, 0.0).rg;
+}
 #endif
 
 // `hit` is (u, v, h, t) in patch coordinates; `visibility` that of each light. What has been tapped since count_pixel is
 // the shadows' work.
+#ifdef RELIEFBENCH_CURVED
+// `normal`: in the world, a unit vector.
+void write_surface(vec4 hit, vec3 direction, vec3 normal, vec3 visibility) {
+#else
 void write_surface(vec4 hit, vec3 direction, bool flat_normal, vec3 visibility) {
+#endif
     vec2 uv = scene.tiling * hit.xy;
     vec3 colour = textureLod(albedo_map, uv, 0.0).rgb;
     if (lighting_enabled) {
+#ifndef RELIEFBENCH_CURVED
         vec3 normal = vec3(0.0, 0.0, 1.0);
         if (!flat_normal) normal = shading_normal(textureLod(height_derivatives, uv, 0.0).rg);
+#endif
         colour = shade(colour, normal, -direction, hit.w, visibility);
     }
     colour_target = vec4(srgb_target ? srgb_encode(colour) : colour, 1.0);
 #ifdef RELIEFBENCH_PROBED
     hit_target = hit;
     shadow_target = vec4(visibility, float(counted_taps));
+#ifdef RELIEFBENCH_CURVED
+    normal_target = vec4(normal, 0.0);
+#endif
 #endif
 }
 

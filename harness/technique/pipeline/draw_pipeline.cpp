@@ -8,7 +8,8 @@
 namespace reliefbench {
 
 /// Each in a file of its own, which nobody needs but this list.
-/// The quad of the patch as a triangle strip, whose fragments search the relief.
+/// The quad of the patch as a triangle strip, or the triangles of a base that is not flat: their fragments search the
+/// relief.
 DrawPipeline raster_pipeline();
 /// Real geometry: a grid of patches through the technique's tessellation stages.
 DrawPipeline tessellation_pipeline();

@@ -1,3 +1,4 @@
+#include "technique/base_on_device.hpp"
 #include "technique/pipeline/draw_pipeline.hpp"
 
 namespace reliefbench {
@@ -8,13 +9,21 @@ std::string raster_preamble(const Manifest& /*manifest*/, const ParameterValues&
     return {};
 }
 
-std::string unsupported_raster(const gpu::Device& /*device*/, const DrawnView& /*drawn*/) {
-    return {};
+std::string unsupported_raster(const gpu::Device& device, const DrawnView& drawn) {
+    const BaseSurface& base = drawn.view.relief.base;
+    return is_flat(base) ? std::string() : unsupported_mesh(device, curved_base(base));
 }
 
-DrawGeometry raster_geometry(const gpu::Device& /*device*/, const DrawnView& /*drawn*/) {
-    constexpr std::uint32_t corners = 4;
-    return {.vertices = corners, .vertices_per_call = corners};
+DrawGeometry raster_geometry(const gpu::Device& /*device*/, const DrawnView& drawn) {
+    if (is_flat(drawn.view.relief.base)) {
+        constexpr std::uint32_t corners = 4;
+        return {.vertices = corners, .vertices_per_call = corners};
+    }
+    const auto vertices = static_cast<std::uint32_t>(3 * curved_base(drawn.view.relief.base).triangles.size());
+    return {.vertices = vertices,
+            .vertices_per_call = vertices,
+            .topology = vk::PrimitiveTopology::eTriangleList,
+            .cull = vk::CullModeFlagBits::eBack};
 }
 
 void record_raster(const vk::raii::CommandBuffer& commands, const DrawGeometry& geometry) {

@@ -1,0 +1,65 @@
+#ifndef RELIEFBENCH_BASE_MESH_GLSL
+#define RELIEFBENCH_BASE_MESH_GLSL
+
+// The triangles of a base that is not flat: the mirror of harness/scene/surface/base_mesh.hpp.
+
+struct BaseVertex {
+    vec3 position;
+    float u;
+    vec3 normal;
+    float v;
+};
+
+layout(set = 0, binding = 6, std430) readonly buffer BaseVertices { BaseVertex at[]; }
+base_vertices;
+layout(set = 0, binding = 7, std430) readonly buffer BaseIndices { uint at[]; }
+base_indices;
+
+BaseVertex base_vertex(int triangle, int corner) {
+    return base_vertices.at[base_indices.at[3 * triangle + corner]];
+}
+
+// P and the linear normal are linear in (u, v). From a corner, not from u = v = 0, which may lie far away.
+struct BaseTriangle {
+    vec3 corner;
+    vec2 corner_uv;
+    vec3 along_u;
+    vec3 along_v;
+    vec3 corner_normal;
+    vec3 normal_along_u;
+    vec3 normal_along_v;
+    vec3 facet_normal;  // unit vector
+    float handedness;   // -1 where the chart is mirrored, else 1
+};
+
+BaseTriangle base_triangle(int triangle) {
+    BaseVertex first = base_vertex(triangle, 0);
+    BaseVertex second = base_vertex(triangle, 1);
+    BaseVertex third = base_vertex(triangle, 2);
+    vec3 side = second.position - first.position;
+    vec3 other_side = third.position - first.position;
+    vec3 normal_change = second.normal - first.normal;
+    vec3 other_normal_change = third.normal - first.normal;
+    vec2 way = vec2(second.u - first.u, second.v - first.v);
+    vec2 other_way = vec2(third.u - first.u, third.v - first.v);
+    float area = way.x * other_way.y - other_way.x * way.y;
+    return BaseTriangle(first.position, vec2(first.u, first.v), (side * other_way.y - other_side * way.y) / area,
+                        (other_side * way.x - side * other_way.x) / area, first.normal,
+                        (normal_change * other_way.y - other_normal_change * way.y) / area,
+                        (other_normal_change * way.x - normal_change * other_way.x) / area,
+                        normalize(cross(side, other_side)), area < 0.0 ? -1.0 : 1.0);
+}
+
+vec3 linear_normal(BaseTriangle triangle, vec2 uv) {
+    vec2 way = uv - triangle.corner_uv;
+    return triangle.corner_normal + way.x * triangle.normal_along_u + way.y * triangle.normal_along_v;
+}
+
+// (u, v) of a vector in the triangle's plane.
+vec2 way_in_chart(BaseTriangle triangle, vec3 way) {
+    vec3 across = cross(triangle.along_u, triangle.along_v);
+    return vec2(dot(cross(way, triangle.along_v), across), dot(cross(triangle.along_u, way), across)) /
+           dot(across, across);
+}
+
+#endif

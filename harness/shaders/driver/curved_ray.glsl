@@ -1,0 +1,106 @@
+#ifndef RELIEFBENCH_CURVED_RAY_GLSL
+#define RELIEFBENCH_CURVED_RAY_GLSL
+
+// Rays over a base that is not flat. A pixel's ray meets the triangle here, not by what the rasteriser interpolates, whose
+// snapping would show in the errors. Of the base a ray knows what engines know: the tangent frame where the pixel enters.
+
+#include "base_mesh.glsl"
+#include "relief.glsl"
+#include "scene.glsl"
+
+// Where the pixel's ray passes the base.
+struct CurvedEntry {
+    vec2 uv;  // patch coordinates
+    vec3 point;
+    vec3 along_u;  // dP/du
+    vec3 along_v;
+    mat3 frame;          // orthonormal: tangent, bitangent, N
+    mat2 uv_per_length;  // patch coordinates for each unit of length along tangent and bitangent
+    vec3 per_normal;     // a direction times this: how often it has N beside dP/du and dP/dv
+    float handedness;    // of (dP/du, dP/dv, N)
+    vec2 uv_dx;          // how `uv` changes from pixel to pixel, on this triangle
+    vec2 uv_dy;
+};
+
+// Of this fragment.
+CurvedEntry curved_entry;
+
+// A direction of the world as multiples of dP/du, dP/dv and N: what a ray travels in u, in v and upwards over its length.
+// Upwards is not the cosine to N: the facet, in which dP/du and dP/dv lie, is tilted against it.
+vec3 way_over_base(vec3 direction) {
+    return vec3(curved_entry.uv_per_length * (direction * curved_entry.frame).xy,
+                dot(direction, curved_entry.per_normal));
+}
+
+// How the point at distance t of the ray moves from pixel to pixel.
+vec3 pixel_step_x(ViewRay view, float t) {
+    if (scene.parallel_rays != 0) return vec3(scene.window_size.x / float(scene.resolution.x), 0.0, 0.0);
+    return t * dot(view.direction, scene.forward) * (2.0 / float(scene.resolution.x)) * scene.right;
+}
+vec3 pixel_step_y(ViewRay view, float t) {
+    if (scene.parallel_rays != 0) return vec3(0.0, -scene.window_size.y / float(scene.resolution.y), 0.0);
+    return t * dot(view.direction, scene.forward) * (-2.0 / float(scene.resolution.y)) * scene.up;
+}
+
+// Along the ray back into the triangle's plane.
+vec3 slid_onto(vec3 step, vec3 direction, vec3 facet_normal) {
+    return step - direction * (dot(step, facet_normal) / dot(direction, facet_normal));
+}
+
+// Lets the ray pass the triangle, and tells whether it comes from the side of N.
+bool enter_base(inout ViewRay view, int index) {
+    BaseTriangle triangle = base_triangle(index);
+    vec3 from_corner = view.origin - triangle.corner;
+    float t = -dot(from_corner, triangle.facet_normal) / dot(view.direction, triangle.facet_normal);
+    vec3 inside = from_corner + t * view.direction;
+    curved_entry.uv = triangle.corner_uv + way_in_chart(triangle, inside);
+    curved_entry.point = triangle.corner + inside;
+    curved_entry.along_u = triangle.along_u;
+    curved_entry.along_v = triangle.along_v;
+    curved_entry.handedness = triangle.handedness;
+
+    vec3 normal = normalize(linear_normal(triangle, curved_entry.uv));
+    vec3 tangent = normalize(triangle.along_u - normal * dot(normal, triangle.along_u));
+    vec3 bitangent = triangle.handedness * cross(normal, tangent);
+    curved_entry.frame = mat3(tangent, bitangent, normal);
+    curved_entry.uv_per_length = inverse(
+        mat2((triangle.along_u * curved_entry.frame).xy, (triangle.along_v * curved_entry.frame).xy));
+    curved_entry.per_normal = triangle.facet_normal / dot(triangle.facet_normal, normal);
+    vec3 step_x = slid_onto(pixel_step_x(view, t), view.direction, triangle.facet_normal);
+    vec3 step_y = slid_onto(pixel_step_y(view, t), view.direction, triangle.facet_normal);
+    curved_entry.uv_dx = way_in_chart(triangle, step_x);
+    curved_entry.uv_dy = way_in_chart(triangle, step_y);
+
+    view.entry = curved_entry.uv;
+    view.entry_t = t;
+    return dot(view.direction, normal) < 0.0 && dot(view.direction, curved_entry.per_normal) < 0.0;
+}
+
+// The ray that descends through texture coordinates `uv` on the base, from `to_eye` in the world, in the entry's frame.
+// `offset`: texture coordinates travelled from h = 1 to h = 0.
+ReliefRay curved_ray(vec2 uv, vec2 offset, vec3 to_eye, vec2 uv_dx, vec2 uv_dy, float level) {
+    return ReliefRay(uv, to_eye * curved_entry.frame, 1.0, scene.height_scale,
+                     scene.tiling * curved_entry.uv_per_length, offset, uv_dx, uv_dy, level);
+}
+
+// Texture coordinates that a ray against this direction travels from h = 1 to h = 0; it must descend.
+vec2 curved_offset(vec3 to_eye) {
+    vec3 way = way_over_base(to_eye);
+    return -scene.tiling * scene.height_scale / way.z * way.xy;
+}
+
+// S as the entry knows it, in its tangent plane: off the ray, the distance along the ray is that of this point.
+vec3 surface_point(vec2 patch_uv, float h) {
+    vec2 way = patch_uv - curved_entry.uv;
+    return curved_entry.point + way.x * curved_entry.along_u + way.y * curved_entry.along_v +
+           (h - 1.0) * scene.height_scale * curved_entry.frame[2];
+}
+
+// Of the relief whose offset along N changes by `slope` with u and v, in the entry's frame.
+vec3 curved_normal(vec2 slope) {
+    vec3 normal = curved_entry.frame[2];
+    return normalize(curved_entry.handedness *
+                     cross(curved_entry.along_u + slope.x * normal, curved_entry.along_v + slope.y * normal));
+}
+
+#endif
