@@ -29,6 +29,14 @@ void discard_counted() {
 #include "self_shadow.glsl"
 #include "work.glsl"
 
+#ifdef RELIEFBENCH_BENT_RAY
+// Whether the ray is outside of the patch from s on.
+bool has_left_patch(ReliefRay ray, float s) {
+    vec2 place = point_on_ray(ray, s) / scene.tiling;
+    return has_left_patch(place, way_of_ray(ray, s)) && has_left_patch(place, way_of_ray(ray, ray.s_end));
+}
+#endif
+
 #ifdef RELIEFBENCH_CONSERVATIVE_DEPTH
 layout(depth_greater) out float gl_FragDepth;
 #endif
@@ -48,6 +56,9 @@ void main() {
     vec2 uv_dy = scene.tiling * curved_entry.uv_dy;
     ReliefRay ray = curved_ray(scene.tiling * view.entry, offset, -view.direction, uv_dx, uv_dy,
                                footprint_level(uv_dx, uv_dy));
+#ifdef RELIEFBENCH_BENT_RAY
+    bend_ray(ray, bend_of(offset), uv_bend_of(offset));
+#endif
 #else
     float t_per_s = scene.height_scale / -view.direction.z;
     vec2 max_offset = view.direction.xy * t_per_s;
@@ -66,14 +77,23 @@ void main() {
 #ifdef RELIEFBENCH_PROBED
     // Only a search that could still hit something counts as unconverged. Its ray parameter is that before the fade.
     if (found.kind == trace_on_ray && !found.converged && !relief_repeats)
+#ifdef RELIEFBENCH_BENT_RAY
+        found.converged = has_left_patch(ray, found.s / (1.0 - fade));
+#else
         found.converged = has_left_patch(view.entry + found.s / (1.0 - fade) * max_offset, max_offset);
+#endif
 #endif
     count_pixel(scene.resolution, gl_FragCoord.xy, found.steps, found.converged);
     if (found.kind == trace_miss) discard;
 
     vec4 hit;
     if (found.kind == trace_on_ray) {
+#ifdef RELIEFBENCH_BENT_RAY
+        hit = vec4(point_on_ray(ray, found.s) / scene.tiling, height_of_ray(ray, found.s),
+                   view.entry_t + found.s * t_per_s);
+#else
         hit = vec4(view.entry + found.s * max_offset, height_of_ray(ray, found.s), view.entry_t + found.s * t_per_s);
+#endif
     } else {
         hit = vec4(found.uv / scene.tiling, found.h, 0.0);
         hit.w = dot(surface_point(hit.xy, hit.z) - view.origin, view.direction);

@@ -47,6 +47,27 @@ float enter_relief(ReliefRay ray, float s_point) {
     return clamp(first, 0.0, s_point);
 }
 
+#ifdef RELIEFBENCH_BENT_RAY
+// How far before the point a coordinate that is `inside` of its side there has passed it; the whole way if it has not.
+float way_to_side(float inside, float way, float bend, float whole) {
+    float discriminant = way * way - 4.0 * bend * inside;
+    if (way == 0.0 || discriminant < 0.0) return whole;
+    float before = 2.0 * inside / (way + sign(way) * sqrt(discriminant));
+    return before >= 0.0 ? before : whole;
+}
+
+// The same of a bent ray, from the point back to the light.
+float enter_relief_bent(ReliefRay ray, float s_point) {
+    if (relief_repeats) return 0.0;
+    vec2 point = point_on_ray(ray, s_point);
+    vec2 way = way_of_ray(ray, s_point);
+    vec2 inside = point - vec2(greaterThan(-way, vec2(0.0))) * scene.tiling;
+    float before = min(way_to_side(inside.x, way.x, ray.uv_bend.x, s_point),
+                       way_to_side(inside.y, way.y, ray.uv_bend.y, s_point));
+    return clamp(s_point - before, 0.0, s_point);
+}
+#endif
+
 // The harness's own search from `s_first` towards the point, in uniform layers: whether the ray passes from above the
 // surface to beneath it before `s_end`.
 bool march_to_point(ReliefRay ray, float s_first, float s_point, float s_end) {
@@ -67,7 +88,11 @@ bool march_to_point(ReliefRay ray, float s_first, float s_point, float s_end) {
 float hard_visibility(ReliefRay ray, float s_point) {
     float s_end = s_point - self_shadow_bias;
     if (s_end <= 0.0) return 1.0;
+#ifdef RELIEFBENCH_BENT_RAY
+    float s_first = enter_relief_bent(ray, s_point);
+#else
     float s_first = enter_relief(ray, s_point);
+#endif
 #ifdef RELIEFBENCH_OWN_MARCH
     // A technique's search knows only rays that enter from above.
     if (s_first <= 0.0) {
@@ -125,6 +150,10 @@ float visibility_of_light(vec3 to_light, vec2 uv, float h, ReliefRay view_ray) {
     float s_point = 1.0 - h;
     ReliefRay ray = curved_ray(uv - s_point * max_offset, max_offset, to_light, view_ray.uv_dx, view_ray.uv_dy,
                                view_ray.level);
+#ifdef RELIEFBENCH_BENT_RAY
+    // The published soft ones know straight rays.
+    if (self_shadow == self_shadow_hard && !bend_light_ray(ray, uv, h, s_point)) return 0.0;
+#endif
 #else
     // The ground that the relief is sunk into is opaque.
     if (to_light.z <= 0.0) return 0.0;
