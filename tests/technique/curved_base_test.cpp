@@ -339,11 +339,12 @@ TEST_F(CurvedBase, IsFollowedToSecondOrderByBentRays) {
     for (const char* model : {"straight", "quadric", "quadric_uv"}) {
         const Probe drawn =
             make_renderer(device(), technique, scene, view, Lighting{}, {{"ray_model", std::string(model)}}).probe();
+        const PixelRays rays = pixel_rays(view);
         int compared = 0;
         for (int j = 0; j < view.resolution.height; ++j) {
             for (int i = 0; i < view.resolution.width; ++i) {
                 const Hit& hit = drawn.hits.at(i, j);
-                const auto v = v_on_cylinder(pixel_ray(view, i, j), 1, 0.7 * view.relief.height_scale);
+                const auto v = v_on_cylinder(rays.at(i, j), 1, 0.7 * view.relief.height_scale);
                 if (!hit.is_hit() || !v) continue;
                 ++compared;
                 EXPECT_NEAR(hit.h, 0.3, 1e-5);
