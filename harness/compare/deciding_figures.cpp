@@ -32,6 +32,7 @@ FigureTolerance tolerance_of(const FigureDeclaration& figure) {
     if (figure.unit.starts_with("fraction")) return {0.001, 0};
     if (figure.unit == "texels") return {0.05, 0.05};
     if (figure.unit == "degrees") return {0.5, 0.05};
+    if (figure.unit == "pixels" && !figure.is_count) return {0.1, 0.05};
     // 0.05 texels of a map of 256.
     if (figure.unit == "patch sides") return {0.0002, 0.05};
     if (figure.unit == "visibility") return {0.005, 0.05};

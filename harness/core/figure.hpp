@@ -27,6 +27,8 @@ inline constexpr std::string_view lighting = "lighting";
 inline constexpr std::string_view self_shadow = "self_shadow";
 /// An object in the scene.
 inline constexpr std::string_view object = "object";
+/// A base surface that is not flat.
+inline constexpr std::string_view curved_base = "curved_base";
 /// A camera that moves.
 inline constexpr std::string_view motion = "motion";
 }  // namespace figure_needs

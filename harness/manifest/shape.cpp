@@ -40,6 +40,7 @@ const std::vector<ShapeKind>& shape_kinds() {
          .form = R"("quad")",
          .stage_files = {"quad.vert", "quad.frag"},
          .traces = true,
+         .draws_base = true,
          .own_files = {"trace.glsl"},
          .features = {},
          .parameter_set = "quad.json"},

@@ -35,6 +35,8 @@ struct ShapeKind {
     std::vector<std::string> stage_files;
     /// Whether the technique is a search along rays, trace(), which the rays of lights can take, too.
     bool traces = false;
+    /// Whether its fragments are those of the base surface, no more and no fewer.
+    bool draws_base = false;
     /// Files that the technique's folder must hold.
     std::vector<std::string> own_files;
     /// Of the device, implied by the shape.

@@ -5,6 +5,8 @@
 #include "measure/stopping_rule.hpp"
 #include "metrics/hit_errors.hpp"
 #include "metrics/image_errors.hpp"
+#include "metrics/outline_errors.hpp"
+#include "metrics/raster_mismatch.hpp"
 #include "metrics/shadow_errors.hpp"
 #include "metrics/wrong_surface.hpp"
 
@@ -18,15 +20,18 @@ std::optional<WorkSummary> summarize_work(const Probe& probe, bool self_shadow) 
 }
 
 FigureValueList errors_of(const DrawnCell& drawn, const Lighting& lighting, bool self_shadow) {
-    const auto& [probe, truth, map, relief] = drawn;
-    FigureValueList all = figures_of(compare_hits(probe.hits, truth.hits, truth.footprint, map, relief));
+    const Probe& probe = drawn.probe;
+    const Truth& truth = drawn.truth;
+    const ComparedHits hits = compared_hits(drawn);
+    FigureValueList all = figures_of(compare_hits(hits));
     const auto add = [&all](FigureValueList family) {
         std::move(family.begin(), family.end(), std::back_inserter(all));
     };
+    add(figures_of(compare_outlines(hits)));
+    if (drawn.draws_base) add(figures_of_raster_mismatch(raster_mismatch(probe.covered, truth.footprint)));
     if (truth.front) add(figures_of_wrong_surface(wrong_surface(*probe.front, *truth.front, truth.footprint)));
     if (self_shadow) {
-        ShadowErrors shadow = compare_shadows(probe.light_visibility, probe.hits, truth.light_visibility.fractions,
-                                              truth.hits, truth.footprint, map, relief, lighting);
+        ShadowErrors shadow = compare_shadows(probe.light_visibility, truth.light_visibility.fractions, hits, lighting);
         shadow.truth_standard_error = truth.light_visibility.standard_error;
         add(figures_of(shadow));
     }

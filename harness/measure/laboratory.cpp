@@ -67,7 +67,8 @@ PreparedCell Laboratory::make_ready_again(const Cell& cell) {
 }
 
 DrawnCell Laboratory::beside_truth(const Cell& cell, const Probe& probe) {
-    return {probe, inputs_.truth(cell.view), inputs_.map(cell.view).map, inputs_.view(cell.view).relief};
+    return {probe, inputs_.truth(cell.view), inputs_.map(cell.view).map, inputs_.view(cell.view).relief,
+            shape_kind(manifest_of(cell).shape.kind).draws_base};
 }
 
 /// Compiles and prepares, or skips.

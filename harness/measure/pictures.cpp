@@ -5,6 +5,7 @@
 #include "picture/map_picture.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <vector>
 
@@ -26,7 +27,7 @@ Image<float> taps_map(const Probe& probe) {
 }
 
 Image<Coverage> coverage_of(const DrawnCell& cell) {
-    return coverage_map(cell.probe.hits, cell.truth.hits, cell.truth.footprint);
+    return coverage_map(compared_hits(cell));
 }
 
 Image<float> coverage_values(const DrawnCell& cell) {
@@ -39,15 +40,27 @@ Image<float> coverage_values(const DrawnCell& cell) {
 
 }  // namespace
 
+ComparedHits compared_hits(const DrawnCell& cell) {
+    const Truth& truth = cell.truth;
+    ComparedHits hits{cell.probe.hits, truth.hits, truth.footprint, cell.map, cell.relief};
+    if (truth.curved) {
+        assert(cell.probe.normals);
+        const CurvedTruth& curved = *truth.curved;
+        hits.curved.emplace(CurvedHits{*cell.probe.normals, curved.normals, curved.entry_triangles, curved.off_chart});
+    }
+    return hits;
+}
+
 Image<float> pixel_map(PixelMap map, const DrawnCell& cell) {
-    const auto& [probe, truth, heights, relief] = cell;
+    const Probe& probe = cell.probe;
+    const Truth& truth = cell.truth;
     switch (map) {
         case PixelMap::uv_error:
-            return uv_error_map(probe.hits, truth.hits, heights, relief);
+            return uv_error_map(compared_hits(cell));
         case PixelMap::depth_error:
-            return depth_error_map(probe.hits, truth.hits);
+            return depth_error_map(compared_hits(cell));
         case PixelMap::normal_error:
-            return normal_error_map(probe.hits, truth.hits, heights, relief);
+            return normal_error_map(compared_hits(cell));
         case PixelMap::flip:
             return footprint_flip_map(probe.colour, truth.colour, {truth.footprint, truth.background});
         case PixelMap::ssim:

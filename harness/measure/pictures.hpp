@@ -1,5 +1,6 @@
 #pragma once
 
+#include "metrics/compared_hits.hpp"
 #include "picture/picture.hpp"
 #include "picture/pixel_map.hpp"
 #include "reference/truth.hpp"
@@ -16,7 +17,12 @@ struct DrawnCell {
     const Truth& truth;
     const HeightMap& map;
     const Relief& relief;
+    /// Of the technique's shape (ShapeKind::draws_base).
+    bool draws_base = false;
 };
+
+/// Valid as long as what the cell refers to.
+ComparedHits compared_hits(const DrawnCell& cell);
 
 /// A value per pixel; not a number where it is undefined: errors of hits where not both hit, taps where no fragment of
 /// the technique ran (those of vertex and tessellation stages are spread over covered pixels), FLIP and SSIM outside

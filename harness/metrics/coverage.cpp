@@ -6,7 +6,10 @@
 
 namespace reliefbench {
 
-Image<Coverage> coverage_map(const HitImage& technique, const HitImage& truth, const FootprintImage& footprint) {
+Image<Coverage> coverage_map(const ComparedHits& hits) {
+    const HitImage& technique = hits.technique;
+    const HitImage& truth = hits.truth;
+    const FootprintImage& footprint = hits.footprint;
     assert(technique.size == truth.size && footprint.size == truth.size);
     Image<Coverage> map(truth.size);
     for (std::size_t pixel = 0; pixel < map.texels.size(); ++pixel) {

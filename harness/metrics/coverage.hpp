@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/hit.hpp"
+#include "metrics/compared_hits.hpp"
 #include "scene/image.hpp"
 
 #include <cstdint>
@@ -16,13 +16,12 @@ enum class Coverage : std::uint8_t {
     missed,
     /// The technique hits and truth does not.
     false_hit,
-    /// Truth hits outside the footprint, where only real geometry can draw, and the technique does not.
+    /// Truth hits outside the footprint, where what draws the base alone cannot draw, and the technique does not.
     missed_outside,
     /// The truth marks the pixel as a tie: whatever the technique answers is no error.
     tie,
 };
 
-/// Images of equal size.
-Image<Coverage> coverage_map(const HitImage& technique, const HitImage& truth, const FootprintImage& footprint);
+Image<Coverage> coverage_map(const ComparedHits& hits);
 
 }  // namespace reliefbench

@@ -2,7 +2,6 @@
 
 #include "core/parallel.hpp"
 #include "metrics/pixel_errors.hpp"
-#include "scene/shading_normal.hpp"
 
 #include <cassert>
 #include <limits>
@@ -11,17 +10,16 @@ namespace reliefbench {
 
 namespace {
 
+/// `error` is called with each pixel in which both hit.
 template <typename Error>
-Image<float> map_of(const HitImage& technique, const HitImage& truth, const Error& error) {
+Image<float> map_of(const ComparedHits& hits, const Error& error) {
     constexpr std::size_t pixels_at_once = 4096;
-    assert(technique.size == truth.size);
-    Image<float> errors(truth.size, std::numeric_limits<float>::quiet_NaN());
+    assert(hits.technique.size == hits.truth.size);
+    Image<float> errors(hits.truth.size, std::numeric_limits<float>::quiet_NaN());
     parallel_for(errors.texels.size(), pixels_at_once, [&](std::size_t begin, std::size_t end) {
         for (std::size_t pixel = begin; pixel < end; ++pixel) {
-            const Hit& ours = technique.texels[pixel];
-            const Hit& theirs = truth.texels[pixel];
-            if (is_finite_hit(ours) && theirs.is_hit()) {
-                errors.texels[pixel] = static_cast<float>(error(ours, theirs));
+            if (is_finite_hit(hits.technique.texels[pixel]) && hits.truth.texels[pixel].is_hit()) {
+                errors.texels[pixel] = static_cast<float>(error(pixel));
             }
         }
     });
@@ -30,23 +28,23 @@ Image<float> map_of(const HitImage& technique, const HitImage& truth, const Erro
 
 }  // namespace
 
-Image<float> uv_error_map(const HitImage& technique, const HitImage& truth, const HeightMap& map,
-                          const Relief& relief) {
-    return map_of(technique, truth,
-                  [&](const Hit& ours, const Hit& theirs) { return uv_error(ours, theirs, map, relief); });
-}
-
-Image<float> depth_error_map(const HitImage& technique, const HitImage& truth) {
-    return map_of(technique, truth, depth_error);
-}
-
-Image<float> normal_error_map(const HitImage& technique, const HitImage& truth, const HeightMap& map,
-                              const Relief& relief) {
-    const Image<std::array<float, 2>> derivatives = height_derivatives(map);
-    return map_of(technique, truth, [&](const Hit& ours, const Hit& theirs) {
-        return angle_between(shading_normal(derivatives, relief, ours.u, ours.v),
-                             shading_normal(derivatives, relief, theirs.u, theirs.v));
+Image<float> uv_error_map(const ComparedHits& hits) {
+    return map_of(hits, [&](std::size_t pixel) {
+        return hits.is_off_chart(pixel) ? std::numeric_limits<double>::quiet_NaN()
+                                        : uv_error(hits.technique.texels[pixel], hits.truth.texels[pixel], hits.map,
+                                                   hits.relief, hits.chart_period(pixel));
     });
+}
+
+Image<float> depth_error_map(const ComparedHits& hits) {
+    return map_of(
+        hits, [&](std::size_t pixel) { return depth_error(hits.technique.texels[pixel], hits.truth.texels[pixel]); });
+}
+
+Image<float> normal_error_map(const ComparedHits& hits) {
+    const ShadingNormals normals(hits);
+    return map_of(
+        hits, [&](std::size_t pixel) { return angle_between(normals.of_technique(pixel), normals.of_truth(pixel)); });
 }
 
 }  // namespace reliefbench

@@ -1,22 +1,19 @@
 #pragma once
 
-#include "scene/height_map.hpp"
-#include "scene/hit.hpp"
+#include "metrics/compared_hits.hpp"
 #include "scene/image.hpp"
-#include "scene/relief.hpp"
 
 namespace reliefbench {
 
-/// Errors of each pixel (pixel_errors.hpp); not a number where not both hit. Images of equal size.
+/// Errors of each pixel (pixel_errors.hpp); not a number where not both hit.
 
-/// Texels.
-Image<float> uv_error_map(const HitImage& technique, const HitImage& truth, const HeightMap& map, const Relief& relief);
+/// Texels; not a number, too, where coordinates do not tell (ComparedHits::is_off_chart).
+Image<float> uv_error_map(const ComparedHits& hits);
 
 /// Units of the patch's width, positive = too deep.
-Image<float> depth_error_map(const HitImage& technique, const HitImage& truth);
+Image<float> depth_error_map(const ComparedHits& hits);
 
 /// Degrees between the shading normals.
-Image<float> normal_error_map(const HitImage& technique, const HitImage& truth, const HeightMap& map,
-                              const Relief& relief);
+Image<float> normal_error_map(const ComparedHits& hits);
 
 }  // namespace reliefbench

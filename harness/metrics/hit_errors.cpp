@@ -2,7 +2,6 @@
 
 #include "core/parallel.hpp"
 #include "metrics/pixel_errors.hpp"
-#include "scene/shading_normal.hpp"
 
 #include <cassert>
 #include <cmath>
@@ -21,6 +20,7 @@ struct PixelCounts {
     std::size_t missed = 0;
     std::size_t false_hits = 0;
     std::size_t ties = 0;
+    std::size_t off_chart = 0;
     std::size_t covered_outside = 0;
     std::size_t covered_by_both = 0;
     std::size_t covered_by_either = 0;
@@ -56,6 +56,13 @@ FigureDeclaration of_truth(std::string path, std::string label, std::string unit
 FigureDeclaration pixel_count(std::string path, std::string label) {
     FigureDeclaration figure = of_truth(std::move(path), std::move(label), "pixels", Better::neither);
     figure.is_count = true;
+    return figure;
+}
+
+/// A circumstance of bases that are not flat.
+FigureDeclaration of_curved(std::string path, std::string label, std::string unit) {
+    FigureDeclaration figure = of_truth(std::move(path), std::move(label), std::move(unit), Better::neither);
+    figure.needs.emplace_back(figure_needs::curved_base);
     return figure;
 }
 
@@ -109,8 +116,11 @@ const std::vector<FigureOf<HitErrors>>& hit_error_table() {
         {in_short(of_truth("error.false_hits", "False hits", of_footprint, lower), "false"),
          member<&HitErrors::false_hits>},
         {of_truth("error.ties", "Ties", of_footprint, Better::neither), member<&HitErrors::ties>},
-        {pixel_count("error.outside_quad.pixels", "Relief outside the quad"), member<&HitErrors::outside_quad_pixels>},
-        {of_truth("error.outside_quad.covered", "Relief outside the quad, covered", "fraction of its pixels",
+        {of_curved("error.off_chart", "Hits on another chart", of_footprint),
+         [](const HitErrors& errors) { return errors.off_chart; }},
+        {pixel_count("error.outside_quad.pixels", "Relief outside the footprint"),
+         member<&HitErrors::outside_quad_pixels>},
+        {of_truth("error.outside_quad.covered", "Relief outside the footprint, covered", "fraction of its pixels",
                   Better::higher),
          [](const HitErrors& errors) { return errors.outside_quad_covered; }},
         {of_truth("error.coverage_iou", "Intersection over union of the coverage", "", Better::higher),
@@ -125,6 +135,7 @@ void set_coverage(HitErrors& errors, const PixelCounts& counts) {
         errors.missed = static_cast<double>(counts.missed) / footprint;
         errors.false_hits = static_cast<double>(counts.false_hits) / footprint;
         errors.ties = static_cast<double>(counts.ties) / footprint;
+        if (errors.off_chart) errors.off_chart = static_cast<double>(counts.off_chart) / footprint;
     }
     if (errors.outside_quad_pixels > 0) {
         errors.outside_quad_covered =
@@ -136,28 +147,32 @@ void set_coverage(HitErrors& errors, const PixelCounts& counts) {
     }
 }
 
-void set_distances(HitErrors& errors, const std::vector<std::size_t>& compared, const HitImage& technique,
-                   const HitImage& truth, const HeightMap& map, const Relief& relief) {
+void set_distances(HitErrors& errors, const std::vector<std::size_t>& compared, const ComparedHits& hits) {
     if (compared.empty()) {
         return;
     }
-    const Image<std::array<float, 2>> derivatives = height_derivatives(map);
+    const ShadingNormals normals(hits);
     HitErrors::ComparedPixels& pixels = errors.pixels;
     for (std::vector<double>* values : {&pixels.uv_texels, &pixels.depth, &pixels.normal_deg})
         values->resize(compared.size());
     std::vector<double> depth(compared.size());
     parallel_for(compared.size(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t index = begin; index < end; ++index) {
-            const Hit& ours = technique.texels[compared[index]];
-            const Hit& theirs = truth.texels[compared[index]];
-            pixels.uv_texels[index] = uv_error(ours, theirs, map, relief);
+            const std::size_t pixel = compared[index];
+            const Hit& ours = hits.technique.texels[pixel];
+            const Hit& theirs = hits.truth.texels[pixel];
+            pixels.uv_texels[index] = uv_error(ours, theirs, hits.map, hits.relief, hits.chart_period(pixel));
             pixels.depth[index] = depth_error(ours, theirs);
             depth[index] = std::abs(pixels.depth[index]);
-            pixels.normal_deg[index] = angle_between(shading_normal(derivatives, relief, ours.u, ours.v),
-                                                     shading_normal(derivatives, relief, theirs.u, theirs.v));
+            pixels.normal_deg[index] = angle_between(normals.of_technique(pixel), normals.of_truth(pixel));
         }
     });
-    errors.uv_texels = summarize(pixels.uv_texels);
+    std::size_t on_chart = 0;
+    for (std::size_t index = 0; index < compared.size(); ++index) {
+        if (!hits.is_off_chart(compared[index])) pixels.uv_texels[on_chart++] = pixels.uv_texels[index];
+    }
+    pixels.uv_texels.resize(on_chart);
+    if (on_chart > 0) errors.uv_texels = summarize(pixels.uv_texels);
     errors.depth = summarize(depth);
     errors.depth->mean = summarize(pixels.depth).mean;
     errors.normal_deg = summarize(pixels.normal_deg);
@@ -165,22 +180,21 @@ void set_distances(HitErrors& errors, const std::vector<std::size_t>& compared, 
 
 }  // namespace
 
-HitErrors compare_hits(const HitImage& technique, const HitImage& truth, const FootprintImage& footprint,
-                       const HeightMap& map, const Relief& relief) {
-    assert(technique.size == truth.size && footprint.size == truth.size);
+HitErrors compare_hits(const ComparedHits& hits) {
+    assert(hits.technique.size == hits.truth.size && hits.footprint.size == hits.truth.size);
     HitErrors errors;
     PixelCounts counts;
     std::vector<std::size_t> compared;
-    for (std::size_t pixel = 0; pixel < truth.texels.size(); ++pixel) {
-        const bool inside = footprint.texels[pixel] != 0;
-        if (footprint.texels[pixel] == tie_in_footprint) {
+    for (std::size_t pixel = 0; pixel < hits.truth.texels.size(); ++pixel) {
+        const bool inside = hits.footprint.texels[pixel] != 0;
+        if (hits.footprint.texels[pixel] == tie_in_footprint) {
             ++errors.footprint;
             ++counts.ties;
             continue;
         }
-        const bool ours = is_finite_hit(technique.texels[pixel]);
-        const bool theirs = truth.texels[pixel].is_hit();
-        if (inside || relief.boundary == Boundary::clip) {
+        const bool ours = is_finite_hit(hits.technique.texels[pixel]);
+        const bool theirs = hits.truth.texels[pixel].is_hit();
+        if (inside || !hits.ends_with_footprint()) {
             counts.covered_by_both += ours && theirs ? 1 : 0;
             counts.covered_by_either += ours || theirs ? 1 : 0;
         }
@@ -188,15 +202,19 @@ HitErrors compare_hits(const HitImage& technique, const HitImage& truth, const F
             ++errors.footprint;
             counts.missed += theirs && !ours ? 1 : 0;
             counts.false_hits += ours && !theirs ? 1 : 0;
-            if (ours && theirs) compared.push_back(pixel);
+            if (ours && theirs) {
+                compared.push_back(pixel);
+                counts.off_chart += hits.is_off_chart(pixel) ? 1 : 0;
+            }
         } else if (theirs) {
             ++errors.outside_quad_pixels;
             counts.covered_outside += ours ? 1 : 0;
         }
     }
     errors.compared = compared.size();
+    if (hits.curved) errors.off_chart = 0;
     set_coverage(errors, counts);
-    set_distances(errors, compared, technique, truth, map, relief);
+    set_distances(errors, compared, hits);
     return errors;
 }
 

@@ -25,8 +25,8 @@ struct ImageErrors {
 };
 
 struct ImageComparison {
-    /// Over the union of both coverages. The relief that a truth shows beyond the quad counts, which no technique that
-    /// draws the quad alone can show: a floor, and not a small one (0.1 FLIP at 70°).
+    /// Over the union of both coverages. The relief that a truth shows outside F counts, which no technique that
+    /// draws the base alone can show: a floor, and not a small one (0.1 FLIP at 70°).
     ImageErrors whole;
     /// Over F, of both pictures with the background outside F before anything is filtered: what a technique can help.
     ImageErrors footprint;

@@ -1,7 +1,5 @@
 #include "metrics/shadow_errors.hpp"
 
-#include "scene/shading_normal.hpp"
-
 #include <glm/geometric.hpp>
 
 #include <cassert>
@@ -57,21 +55,20 @@ const std::vector<FigureOf<ShadowErrors>>& shadow_error_table() {
 
 }  // namespace
 
-ShadowErrors compare_shadows(const VisibilityImage& technique, const HitImage& technique_hits,
-                             const VisibilityImage& truth, const HitImage& truth_hits, const FootprintImage& footprint,
-                             const HeightMap& map, const Relief& relief, const Lighting& lighting) {
-    assert(technique.size == truth.size && technique_hits.size == truth.size && truth_hits.size == truth.size &&
-           footprint.size == truth.size && lighting.lights.size() <= technique.texels.front().size());
-    const Image<std::array<float, 2>> derivatives = height_derivatives(map);
+ShadowErrors compare_shadows(const VisibilityImage& technique, const VisibilityImage& truth, const ComparedHits& hits,
+                             const Lighting& lighting) {
+    assert(technique.size == truth.size && hits.technique.size == truth.size && hits.truth.size == truth.size &&
+           hits.footprint.size == truth.size && lighting.lights.size() <= technique.texels.front().size());
+    const ShadingNormals normals(hits);
     ShadowErrors errors;
     std::size_t darker = 0;
     std::size_t lighter = 0;
     double sum = 0;
     for (std::size_t pixel = 0; pixel < truth.texels.size(); ++pixel) {
-        const Hit& hit = truth_hits.texels[pixel];
-        if (footprint.texels[pixel] != in_footprint || !hit.is_hit() || !technique_hits.texels[pixel].is_hit())
+        if (hits.footprint.texels[pixel] != in_footprint || !hits.truth.texels[pixel].is_hit() ||
+            !hits.technique.texels[pixel].is_hit())
             continue;
-        const glm::dvec3 normal = shading_normal(derivatives, relief, hit.u, hit.v);
+        const glm::dvec3 normal = normals.of_truth(pixel);
         for (std::size_t light = 0; light < lighting.lights.size(); ++light) {
             if (glm::dot(normal, lighting.lights[light].direction) <= 0) continue;
             const double difference = static_cast<double>(technique.texels[pixel][light]) - truth.texels[pixel][light];

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "core/figure.hpp"
-#include "scene/height_map.hpp"
-#include "scene/hit.hpp"
+#include "metrics/compared_hits.hpp"
+#include "scene/image.hpp"
 #include "scene/lighting.hpp"
-#include "scene/relief.hpp"
 
 #include <array>
 #include <cstddef>
@@ -31,9 +30,9 @@ struct ShadowErrors {
     std::optional<double> truth_standard_error = {};
 };
 
-ShadowErrors compare_shadows(const VisibilityImage& technique, const HitImage& technique_hits,
-                             const VisibilityImage& truth, const HitImage& truth_hits, const FootprintImage& footprint,
-                             const HeightMap& map, const Relief& relief, const Lighting& lighting);
+/// Images of the hits' size.
+ShadowErrors compare_shadows(const VisibilityImage& technique, const VisibilityImage& truth, const ComparedHits& hits,
+                             const Lighting& lighting);
 
 std::vector<FigureDeclaration> shadow_error_figures();
 FigureValueList figures_of(const ShadowErrors& errors);

@@ -87,7 +87,11 @@ Picture map_picture(const PixelMapScale& scale, const Image<float>& values, cons
         if (!scale.marks.empty() && std::isfinite(value) && !is_tie) {
             picture.texels[pixel] = to_rgb8(magma(scale.position(value)));
         } else {
-            picture.texels[pixel] = by_coverage ? colour_of(coverage.texels[pixel]) : nothing_colour;
+            // Undefined though both hit: on another chart, where coordinates are no more an error than in a tie.
+            const bool is_off_chart = !scale.marks.empty() && coverage.texels[pixel] == Coverage::both;
+            picture.texels[pixel] = !by_coverage   ? nothing_colour
+                                    : is_off_chart ? tie_colour
+                                                   : colour_of(coverage.texels[pixel]);
         }
     }
     return picture;
@@ -99,7 +103,7 @@ std::vector<Swatch> swatches_of(const PixelMapScale& scale) {
     if (scale.undefined == PixelMapScale::Undefined::coverage) {
         swatches.push_back({missed_colour, "missed"});
         swatches.push_back({false_hit_colour, "false hit"});
-        swatches.push_back({missed_outside_colour, "relief outside the quad"});
+        swatches.push_back({missed_outside_colour, "relief outside the footprint"});
         swatches.push_back({tie_colour, "tie"});
     }
     const bool outside = scale.undefined == PixelMapScale::Undefined::outside;

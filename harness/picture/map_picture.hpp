@@ -11,7 +11,7 @@
 namespace reliefbench {
 
 /// The values' colours. Where a value is not a number, what the scale says of such: by coverage, blue is missed, cyan
-/// the same outside the quad, green a false hit; grey is nothing. Images of equal size.
+/// the same outside the footprint, green a false hit; grey is nothing. Images of equal size.
 Picture map_picture(const PixelMapScale& scale, const Image<float>& values, const Image<Coverage>& coverage);
 
 /// A colour that stands for no value of a map, and what for.

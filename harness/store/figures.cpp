@@ -5,6 +5,8 @@
 #include "metrics/hit_errors.hpp"
 #include "metrics/image_errors.hpp"
 #include "metrics/motion_errors.hpp"
+#include "metrics/outline_errors.hpp"
+#include "metrics/raster_mismatch.hpp"
 #include "metrics/shadow_errors.hpp"
 #include "metrics/work.hpp"
 #include "metrics/wrong_surface.hpp"
@@ -24,8 +26,8 @@ namespace {
 std::vector<FigureDeclaration> all_declarations() {
     std::vector<FigureDeclaration> all;
     for (std::vector<FigureDeclaration> family :
-         {time_figures(), work_figures(), hit_error_figures(), wrong_surface_figures(), shadow_error_figures(),
-          image_error_figures(), motion_figures()})
+         {time_figures(), work_figures(), hit_error_figures(), outline_error_figures(), raster_mismatch_figures(),
+          wrong_surface_figures(), shadow_error_figures(), image_error_figures(), motion_figures()})
         std::move(family.begin(), family.end(), std::back_inserter(all));
     return all;
 }

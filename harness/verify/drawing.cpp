@@ -1,5 +1,6 @@
 #include "verify/drawing.hpp"
 
+#include <cassert>
 #include <utility>
 
 namespace reliefbench {
@@ -21,12 +22,22 @@ void require_picture(const gpu::Device& device, const Technique& technique, cons
     if (!verdict.reason.empty()) throw NoPicture(verdict.reason, false, verdict.worst);
 }
 
+ComparedHits compared_hits(const TruthComparison& comparison, const HeightMap& map, const Relief& relief) {
+    const auto& [probe, truth, errors] = comparison;
+    ComparedHits hits{probe.hits, truth.hits, truth.footprint, map, relief};
+    if (truth.curved) {
+        assert(probe.normals);
+        const CurvedTruth& curved = *truth.curved;
+        hits.curved.emplace(CurvedHits{*probe.normals, curved.normals, curved.entry_triangles, curved.off_chart});
+    }
+    return hits;
+}
+
 TruthComparison beside_truth(Probe probe, const CoordinateScene& scene, const View& view) {
     TruthComparison comparison;
     comparison.truth = trace_exact_truth(scene.map, scene.albedo, view, coordinate_lighting());
-    comparison.errors =
-        compare_hits(probe.hits, comparison.truth.hits, comparison.truth.footprint, scene.map, view.relief);
     comparison.probe = std::move(probe);
+    comparison.errors = compare_hits(compared_hits(comparison, scene.map, view.relief));
     return comparison;
 }
 

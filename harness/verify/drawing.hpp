@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/error.hpp"
+#include "metrics/compared_hits.hpp"
 #include "metrics/hit_errors.hpp"
 #include "reference/truth.hpp"
 #include "scene/pixel_place.hpp"
@@ -45,6 +46,9 @@ struct TruthComparison {
     Truth truth;
     HitErrors errors;
 };
+
+/// Valid as long as all three.
+ComparedHits compared_hits(const TruthComparison& comparison, const HeightMap& map, const Relief& relief);
 
 TruthComparison beside_truth(Probe probe, const CoordinateScene& scene, const View& view);
 

@@ -77,7 +77,7 @@ SampledError measure_error(CheckList& list, const PromiseDeclaration& declaratio
     }
     error.median = found.errors.uv_texels->p50;
 
-    const Image<float> uv_errors = uv_error_map(found.probe.hits, found.truth.hits, scene.map, where.view.relief);
+    const Image<float> uv_errors = uv_error_map(compared_hits(found, scene.map, where.view.relief));
     WorstPixel worst;
     for (std::size_t pixel = 0; pixel < uv_errors.texels.size(); ++pixel) {
         if (found.truth.footprint.texels[pixel] != in_footprint) continue;

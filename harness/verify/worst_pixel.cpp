@@ -19,7 +19,7 @@ std::optional<PixelPlace> worst_place(const TruthComparison& comparison, const H
                                       bool coverage) {
     const HitImage& technique = comparison.probe.hits;
     const HitImage& truth = comparison.truth.hits;
-    const Image<float> uv_errors = uv_error_map(technique, truth, map, view.relief);
+    const Image<float> uv_errors = uv_error_map(compared_hits(comparison, map, view.relief));
     WorstPixel worst;
     for (std::size_t pixel = 0; pixel < truth.texels.size(); ++pixel) {
         if (comparison.truth.footprint.texels[pixel] != in_footprint) continue;

@@ -48,6 +48,10 @@ struct Scattered {
         }
         technique.at(3, 3).t = std::numeric_limits<float>::infinity();
     }
+
+    ComparedHits compared(const HeightMap& map, const Relief& relief) const {
+        return {technique, truth, footprint, map, relief};
+    }
 };
 
 double mean_inside(const Image<float>& map, const Image<std::uint8_t>& footprint) {
@@ -65,22 +69,24 @@ TEST(ErrorMaps, TheirMeansAreTheErrorsOfTheWhole) {
     const HeightMap map = waves();
     const Relief relief;
     const Scattered hits;
-    const HitErrors errors = compare_hits(hits.technique, hits.truth, hits.footprint, map, relief);
+    const HitErrors errors = compare_hits(hits.compared(map, relief));
     // The maps are of floats.
     constexpr double tolerance = 1e-6;
-    EXPECT_NEAR(mean_inside(uv_error_map(hits.technique, hits.truth, map, relief), hits.footprint),
-                errors.uv_texels->mean, tolerance);
-    EXPECT_NEAR(mean_inside(depth_error_map(hits.technique, hits.truth), hits.footprint), errors.depth->mean,
+    EXPECT_NEAR(mean_inside(uv_error_map(hits.compared(map, relief)), hits.footprint), errors.uv_texels->mean,
                 tolerance);
-    EXPECT_NEAR(mean_inside(normal_error_map(hits.technique, hits.truth, map, relief), hits.footprint),
-                errors.normal_deg->mean, tolerance);
+    EXPECT_NEAR(mean_inside(depth_error_map(hits.compared(map, relief)), hits.footprint), errors.depth->mean,
+                tolerance);
+    EXPECT_NEAR(mean_inside(normal_error_map(hits.compared(map, relief)), hits.footprint), errors.normal_deg->mean,
+                tolerance);
     EXPECT_GT(errors.normal_deg->mean, 0.1);
 }
 
 TEST(ErrorMaps, CoverageCountsWhatTheErrorsCount) {
     const Scattered hits;
-    const HitErrors errors = compare_hits(hits.technique, hits.truth, hits.footprint, waves(), Relief{});
-    const Image<Coverage> coverage = coverage_map(hits.technique, hits.truth, hits.footprint);
+    const HeightMap map = waves();
+    const Relief relief;
+    const HitErrors errors = compare_hits(hits.compared(map, relief));
+    const Image<Coverage> coverage = coverage_map(hits.compared(map, relief));
     const auto inside = [&](Coverage wanted) {
         std::size_t count = 0;
         for (std::size_t pixel = 0; pixel < coverage.texels.size(); ++pixel) {

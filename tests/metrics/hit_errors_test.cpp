@@ -38,27 +38,29 @@ TEST(HitErrors, UvErrorIsInTexelsOfEachDirection) {
     // 8 × 4 texels tiled twice: 16 texels across the patch, 8 along it. (3/16, 4/8) off is 3 and 4 texels: 5.
     Relief relief;
     relief.tiling = 2;
-    const HitErrors errors = compare_hits(row({{0.1875F, 0.5F, 0.5F, 1}}), row({{0, 0, 0.5F, 1}}), row_footprint({1}),
-                                          flat_map({8, 4}), relief);
+    const HitErrors errors = compare_hits(
+        {row({{0.1875F, 0.5F, 0.5F, 1}}), row({{0, 0, 0.5F, 1}}), row_footprint({1}), flat_map({8, 4}), relief});
     ASSERT_TRUE(errors.uv_texels);
     EXPECT_EQ(errors.uv_texels->max, 5.0);
     EXPECT_EQ(errors.uv_texels->mean, 5.0);
     EXPECT_EQ(errors.uv_texels->rms, 5.0);
-    EXPECT_EQ(uv_error_map(row({{0.1875F, 0.5F, 0.5F, 1}}), row({{0, 0, 0.5F, 1}}), flat_map({8, 4}), relief).at(0, 0),
+    EXPECT_EQ(uv_error_map({row({{0.1875F, 0.5F, 0.5F, 1}}), row({{0, 0, 0.5F, 1}}), row_footprint({1}),
+                            flat_map({8, 4}), relief})
+                  .at(0, 0),
               5.0F);
 }
 
 TEST(HitErrors, CoordinatesAreNeverWrapped) {
     // A whole patch apart: the same texel of the map, but 8 texels of error.
-    const HitErrors errors =
-        compare_hits(row({{1.25F, 0, 0, 1}}), row({{0.25F, 0, 0, 1}}), row_footprint({1}), flat_map({8, 4}), Relief{});
+    const HitErrors errors = compare_hits(
+        {row({{1.25F, 0, 0, 1}}), row({{0.25F, 0, 0, 1}}), row_footprint({1}), flat_map({8, 4}), Relief{}});
     EXPECT_EQ(errors.uv_texels->max, 8.0);
 }
 
 TEST(HitErrors, OnlyTheMeanOfTheDepthErrorIsSigned) {
-    const HitErrors errors = compare_hits(row({{0, 0, 0, 1.5F}, {0, 0, 0, 0.5F}, {0, 0, 0, 0}, {0, 0, 0, 1}}),
-                                          row({{0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}}),
-                                          row_footprint(all_inside), flat_map({4, 4}), Relief{});
+    const HitErrors errors = compare_hits({row({{0, 0, 0, 1.5F}, {0, 0, 0, 0.5F}, {0, 0, 0, 0}, {0, 0, 0, 1}}),
+                                           row({{0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}}),
+                                           row_footprint(all_inside), flat_map({4, 4}), Relief{}});
     // +0.5, −0.5, −1, 0
     ASSERT_TRUE(errors.depth);
     EXPECT_EQ(errors.depth->mean, -0.25);
@@ -71,8 +73,8 @@ TEST(HitErrors, MissedAndFalseHitsAreFractionsOfTheFootprint) {
     const Hit hit{0.5F, 0.5F, 0.5F, 1};
     // Inside: compared, missed, missed, false, neither; outside: a technique's hit that no truth has.
     const HitErrors errors =
-        compare_hits(row({hit, miss, miss, hit, miss, hit}), row({hit, hit, hit, miss, miss, miss}),
-                     row_footprint({1, 1, 1, 1, 1, 0}), flat_map({4, 4}), Relief{});
+        compare_hits({row({hit, miss, miss, hit, miss, hit}), row({hit, hit, hit, miss, miss, miss}),
+                      row_footprint({1, 1, 1, 1, 1, 0}), flat_map({4, 4}), Relief{}});
     EXPECT_EQ(errors.footprint, 5U);
     EXPECT_EQ(errors.compared, 1U);
     EXPECT_EQ(errors.missed, 2.0 / 5);
@@ -85,9 +87,9 @@ TEST(HitErrors, MissedAndFalseHitsAreFractionsOfTheFootprint) {
 TEST(HitErrors, TiesAreCountedAndLeftOut) {
     const Hit hit{0.5F, 0.5F, 0.5F, 1};
     const Hit far{0.75F, 0.5F, 0.5F, 1};
-    const HitErrors errors = compare_hits(row({hit, far, miss, hit}), row({hit, hit, hit, miss}),
-                                          row_footprint({1, tie_in_footprint, tie_in_footprint, tie_in_footprint}),
-                                          flat_map({4, 4}), Relief{});
+    const HitErrors errors = compare_hits({row({hit, far, miss, hit}), row({hit, hit, hit, miss}),
+                                           row_footprint({1, tie_in_footprint, tie_in_footprint, tie_in_footprint}),
+                                           flat_map({4, 4}), Relief{}});
     EXPECT_EQ(errors.footprint, 4U);
     EXPECT_EQ(errors.ties, 3.0 / 4);
     EXPECT_EQ(errors.compared, 1U);
@@ -99,8 +101,8 @@ TEST(HitErrors, TiesAreCountedAndLeftOut) {
 TEST(HitErrors, TruthOutsideTheFootprintIsCountedApart) {
     const Hit hit{0.5F, 0.5F, 0.5F, 1};
     const Hit far{0.9F, 0.5F, 0.5F, 2};
-    const HitErrors errors = compare_hits(row({hit, far, miss, miss}), row({hit, hit, hit, hit}),
-                                          row_footprint({1, 0, 0, 0}), flat_map({4, 4}), Relief{});
+    const HitErrors errors = compare_hits({row({hit, far, miss, miss}), row({hit, hit, hit, hit}),
+                                           row_footprint({1, 0, 0, 0}), flat_map({4, 4}), Relief{}});
     EXPECT_EQ(errors.outside_quad_pixels, 3U);
     EXPECT_EQ(errors.outside_quad_covered, 1.0 / 3);
     EXPECT_EQ(errors.missed, 0);
@@ -114,14 +116,14 @@ TEST(HitErrors, ARepeatingReliefIsComparedInsideTheFootprintOnly) {
     relief.boundary = Boundary::repeat;
     const Hit hit{0.5F, 0.5F, 0.5F, 1};
     const HitErrors errors =
-        compare_hits(row({hit, hit}), row({hit, miss}), row_footprint({1, 0}), flat_map({4, 4}), relief);
+        compare_hits({row({hit, hit}), row({hit, miss}), row_footprint({1, 0}), flat_map({4, 4}), relief});
     EXPECT_EQ(errors.coverage_iou, 1);
     EXPECT_EQ(errors.false_hits, 0);
 }
 
 TEST(HitErrors, NothingInCommonLeavesTheErrorsEmpty) {
     const Hit hit{0.5F, 0.5F, 0.5F, 1};
-    const HitErrors errors = compare_hits(row({miss}), row({hit}), row_footprint({1}), flat_map({4, 4}), Relief{});
+    const HitErrors errors = compare_hits({row({miss}), row({hit}), row_footprint({1}), flat_map({4, 4}), Relief{}});
     EXPECT_FALSE(errors.uv_texels);
     EXPECT_FALSE(errors.depth);
     EXPECT_FALSE(errors.normal_deg);
@@ -131,7 +133,7 @@ TEST(HitErrors, NothingInCommonLeavesTheErrorsEmpty) {
 }
 
 TEST(HitErrors, AnEmptyImageIsNoDivisionByZero) {
-    const HitErrors errors = compare_hits(row({miss}), row({miss}), row_footprint({0}), flat_map({4, 4}), Relief{});
+    const HitErrors errors = compare_hits({row({miss}), row({miss}), row_footprint({0}), flat_map({4, 4}), Relief{}});
     EXPECT_EQ(errors.missed, 0);
     EXPECT_EQ(errors.false_hits, 0);
     EXPECT_EQ(errors.coverage_iou, 1);
@@ -142,8 +144,8 @@ TEST(HitErrors, HitsThatAreNotFiniteAreMisses) {
     const float infinite = std::numeric_limits<float>::infinity();
     const Hit hit{0.5F, 0.5F, 0.5F, 1};
     const HitErrors errors =
-        compare_hits(row({{nan, 0, 0, 1}, {0, infinite, 0, 1}, {0, 0, 0, infinite}, {0, 0, 0, nan}}),
-                     row({hit, hit, hit, hit}), row_footprint(all_inside), flat_map({4, 4}), Relief{});
+        compare_hits({row({{nan, 0, 0, 1}, {0, infinite, 0, 1}, {0, 0, 0, infinite}, {0, 0, 0, nan}}),
+                      row({hit, hit, hit, hit}), row_footprint(all_inside), flat_map({4, 4}), Relief{}});
     EXPECT_EQ(errors.missed, 1);
     EXPECT_EQ(errors.compared, 0U);
 }
@@ -154,8 +156,9 @@ TEST(HitErrors, PercentilesSeeEveryPixel) {
     for (int texels = 0; texels < 200; ++texels) {
         hits.push_back({static_cast<float>(texels) / 4, 0, 0, 1});
     }
-    const HitErrors errors = compare_hits(row(hits), row(std::vector<Hit>(200, Hit{0, 0, 0, 1})),
-                                          row_footprint(std::vector<std::uint8_t>(200, 1)), flat_map({4, 4}), Relief{});
+    const HitErrors errors =
+        compare_hits({row(hits), row(std::vector<Hit>(200, Hit{0, 0, 0, 1})),
+                      row_footprint(std::vector<std::uint8_t>(200, 1)), flat_map({4, 4}), Relief{}});
     EXPECT_DOUBLE_EQ(errors.uv_texels->p50, 99.5);
     EXPECT_DOUBLE_EQ(errors.uv_texels->p95, 189.05);
     EXPECT_DOUBLE_EQ(errors.uv_texels->p99, 197.01);
@@ -167,8 +170,8 @@ TEST(HitErrors, OneInAThousandPixelsIsAFigure) {
     hits[500] = {1, 0, 0, 1};
     hits[7] = {2, 0, 0, 1};
     const HitErrors errors =
-        compare_hits(row(hits), row(std::vector<Hit>(1000, Hit{0, 0, 0, 1})),
-                     row_footprint(std::vector<std::uint8_t>(1000, 1)), flat_map({4, 4}), Relief{});
+        compare_hits({row(hits), row(std::vector<Hit>(1000, Hit{0, 0, 0, 1})),
+                      row_footprint(std::vector<std::uint8_t>(1000, 1)), flat_map({4, 4}), Relief{}});
     EXPECT_EQ(errors.uv_texels->p99, 0);
     const auto p999 = [](const HitErrors& of) {
         for (const auto& [path, value] : figures_of(of)) {
@@ -195,7 +198,7 @@ TEST(HitErrors, NormalErrorIsTheAngleBetweenTheShadingNormals) {
     const Hit rising{0.375F, 0.5F, 0.25F, 1};
     const Hit falling{0.125F, 0.5F, 0, 1};
     const HitErrors errors =
-        compare_hits(row({falling, rising}), row({rising, rising}), row_footprint({1, 1}), ramp(), relief);
+        compare_hits({row({falling, rising}), row({rising, rising}), row_footprint({1, 1}), ramp(), relief});
     EXPECT_NEAR(errors.normal_deg->max, 90, 1e-12);
     EXPECT_NEAR(errors.normal_deg->mean, 45, 1e-12);
 }

@@ -24,8 +24,8 @@ ShadowErrors compare(const std::vector<std::array<float, 3>>& technique, const s
     for (const glm::dvec3& direction : directions)
         lighting.lights.push_back({direction});
     const HeightMap map = make_height_map(Image<float>({2, 2}, 0.5F), HeightFormat::r32f, "flat");
-    return compare_shadows(row(technique), row(technique_hits), row(truth), row(truth_hits), row(footprint), map,
-                           Relief{}, lighting);
+    return compare_shadows(row(technique), row(truth),
+                           {row(technique_hits), row(truth_hits), row(footprint), map, Relief{}}, lighting);
 }
 
 TEST(ShadowErrors, AreDifferencesOfVisibility) {

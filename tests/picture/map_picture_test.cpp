@@ -34,7 +34,16 @@ TEST(MapPicture, TellsErrorsMissesAndFalseHitsApart) {
     EXPECT_GT(missed[2], 2 * std::max(missed[0], missed[1])) << "missed is blue";
     EXPECT_GT(false_hit[1], std::max(false_hit[0], false_hit[2])) << "a false hit is green";
     EXPECT_TRUE(nothing[0] == nothing[1] && nothing[1] == nothing[2]) << "nothing is grey";
-    EXPECT_GT(std::min(outside[1], outside[2]), 2 * outside[0]) << "missed outside the quad is cyan";
+    EXPECT_GT(std::min(outside[1], outside[2]), 2 * outside[0]) << "missed outside the footprint is cyan";
+}
+
+TEST(MapPicture, HitsOnAnotherChartAreNoErrorAsInATie) {
+    Image<float> errors({2, 1});
+    errors.texels = {undefined, undefined};
+    Image<Coverage> coverage({2, 1});
+    coverage.texels = {Coverage::both, Coverage::tie};
+    const Picture picture = map_picture(scale_of(PixelMap::uv_error), errors, coverage);
+    EXPECT_EQ(picture.at(0, 0), picture.at(1, 0));
 }
 
 TEST(MapPicture, WhatHasNoTapsIsNothingWhateverTheTruth) {

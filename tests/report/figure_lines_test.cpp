@@ -36,7 +36,7 @@ TEST(FigureLines, SayEachFigureButTimesByItsLabelWithThoseOfOneGroupTogether) {
     EXPECT_THAT(figure_lines(cell_with_figures()),
                 ElementsAre("Taps per pixel: 17.50, p95 18.00", "Covered pixels: 65536 pixels",
                             "UV error: median 0.2500, p99 1.500 texels", "Missed hits: 0.1250 % of footprint",
-                            "Relief outside the quad: 640 pixels, 0 % covered", "Whole picture: PSNR ∞ dB, RMSE 0",
+                            "Relief outside the footprint: 640 pixels, 0 % covered", "Whole picture: PSNR ∞ dB, RMSE 0",
                             "Footprint: FLIP 0.02603, PSNR 26.12 dB, SSIM 0.9400, RMSE 0.04950"));
     EXPECT_THAT(figure_lines(CellResult()), testing::IsEmpty());
 }

@@ -133,7 +133,7 @@ TEST_F(MarchParameters, FractionalCountsShowNoBands) {
     const auto jump = [&](const std::string& rounding) {
         values["step_rounding"] = rounding;
         const TruthComparison found = compare("pom", values, waves, view);
-        return largest_jump(uv_error_map(found.probe.hits, found.truth.hits, waves.map, view.relief));
+        return largest_jump(uv_error_map(compared_hits(found, waves.map, view.relief)));
     };
     // What is left is the error's slope within a band.
     EXPECT_LT(jump("fractional"), 0.5 * jump("integer"));

@@ -90,7 +90,7 @@ TEST_F(Qdm, LinearLeafMissesNoThinFeature) {
     View view = parallel_view(60, -70);
     view.resolution = {256, 256};
     const TruthComparison found = compare("qdm", {{"leaf", "linear"}}, scene, view);
-    const Image<float> errors = uv_error_map(found.probe.hits, found.truth.hits, scene.map, view.relief);
+    const Image<float> errors = uv_error_map(compared_hits(found, scene.map, view.relief));
     constexpr float ground = 0.35F;
     constexpr float same_place_texels = 2;
 

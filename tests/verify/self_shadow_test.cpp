@@ -31,8 +31,8 @@ protected:
         const Probe probe = renderer.probe();
         const Truth truth = trace_exact_truth(map, albedo, view, lighting);
         Shadowed result;
-        result.errors = compare_shadows(probe.light_visibility, probe.hits, truth.light_visibility.fractions,
-                                        truth.hits, truth.footprint, map, view.relief, lighting);
+        result.errors = compare_shadows(probe.light_visibility, truth.light_visibility.fractions,
+                                        {probe.hits, truth.hits, truth.footprint, map, view.relief}, lighting);
         for (const std::uint32_t taps : probe.shadow_taps.texels)
             result.taps_mean += taps / static_cast<double>(probe.shadow_taps.texels.size());
         return result;

@@ -207,7 +207,7 @@ TEST_F(SourceDocuments, LunaMissedPeaksShowAndFallAsStepsRise) {
         std::vector<double> missed;
         for (const std::int64_t steps : {8, 16, 32, 64, 128}) {
             const TruthComparison found = compare(technique, {{"adaptive", false}, {"max_steps", steps}}, spikes, view);
-            const Image<float> errors = uv_error_map(found.probe.hits, found.truth.hits, spikes.map, view.relief);
+            const Image<float> errors = uv_error_map(compared_hits(found, spikes.map, view.relief));
             // More than a step and a texel off: not imprecise, but another feature.
             const double another_feature = stride / static_cast<double>(steps) + 1;
             const auto count = std::ranges::count_if(errors.texels, [&](float e) { return e > another_feature; });
@@ -228,7 +228,8 @@ TEST_F(SourceDocuments, LunaTessellationDisplacesToTheSameSurface) {
     const TruthComparison tessellated = compare("tessellation", {}, waves, view);
     EXPECT_LT(pom.errors.uv_texels->p95, 0.1);
     EXPECT_LT(tessellated.errors.uv_texels->p95, 0.1);
-    const Image<float> apart = uv_error_map(pom.probe.hits, tessellated.probe.hits, waves.map, view.relief);
+    const Image<float> apart =
+        uv_error_map({pom.probe.hits, tessellated.probe.hits, pom.truth.footprint, waves.map, view.relief});
     const auto both = std::ranges::count_if(apart.texels, [](float texels) { return texels >= 0; });
     const auto close = std::ranges::count_if(apart.texels, [](float texels) { return texels >= 0 && texels < 0.25F; });
     EXPECT_GT(both, 1000);

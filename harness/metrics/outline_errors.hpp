@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/figure.hpp"
+#include "metrics/compared_hits.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace reliefbench {
+
+/// How far apart the outlines of what a technique and the truth hit are. A pixel is on the outline of a set of pixels
+/// where it is of the set and one of its four neighbours within the frame is not; holes have outlines, too.
+struct OutlineErrors {
+    struct Distances {
+        /// In pixels, between pixel centres, from each outline pixel of either set to the nearest one of the other; of
+        /// both ways together. Empty where there are no such pixels, and where one set has no outline at all.
+        std::optional<double> mean, p95;
+        /// Outline pixels that distances are taken from.
+        std::size_t pixels = 0;
+    };
+    /// Of the sets within F. Distances are not taken from where a set ends because F does, which would only say that
+    /// both end there; but such pixels are outline to those of the other set.
+    Distances footprint;
+    /// Over the whole frame; empty where the truth ends with F.
+    std::optional<Distances> whole;
+};
+
+/// In ties the technique counts as right, and no distance is taken from them.
+OutlineErrors compare_outlines(const ComparedHits& hits);
+
+std::vector<FigureDeclaration> outline_error_figures();
+FigureValueList figures_of(const OutlineErrors& errors);
+
+}  // namespace reliefbench
