@@ -107,7 +107,7 @@ def quantity(cells, name, figures, option, notes):
     counts_outside = any(figure.get("stand_in") == column for figure in figures.values())
     if counts_outside and OUTSIDE in cells.columns and (cells[OUTSIDE] > 0).any():
         instead = f"; {columns[0]} would not, which these runs do not have" if len(columns) > 1 else ""
-        notes.append(f"{column} counts relief beyond the quad, which no per-pixel technique can draw{instead}")
+        notes.append(f"{column} counts relief outside the footprint, which no per-pixel technique can draw{instead}")
     return quantity_of(column, figures)
 
 

@@ -22,7 +22,7 @@ INTERVAL = ("ci95_ms.low", "ci95_ms.high")
 TIME_PER_PIXEL = "time.ns_per_pixel"
 # Fractions of the footprint that together say whether a cell's errors count.
 WRONG_HITS = ("error.missed", "error.false_hits")
-# Relief beyond the quad, which errors of whole pictures count and no per-pixel technique can draw.
+# Relief outside the footprint, which errors of whole pictures count and no per-pixel technique can draw.
 OUTSIDE = "error.outside_quad.pixels"
 
 

@@ -246,7 +246,7 @@ void add_render_command(CLI::App& app, ChosenCommand& chosen) {
         "from the eye (for parallel rays from the plane z = 0), t = -1 and zeros for a miss, colours linear; maps are\n"
         "not a number where they are undefined, depth_error is positive where too deep, coverage is 0 neither, 1 "
         "both,\n"
-        "2 missed, 3 false hit, 4 missed outside the quad.\n"
+        "2 missed, 3 false hit, 4 missed outside the footprint.\n"
         "Exit code 4 when a cell fails, as it would in a run; where it could be drawn it is, to see where it fails. "
         "2\n"
         "when the cell is skipped, so that there is no picture; a contact sheet has a row without one.\n"

@@ -37,8 +37,8 @@ std::string_view path_of(RankingFlip flip) {
 
 std::string_view caveat_of(RankingFlip flip) {
     if (flip == RankingFlip::footprint) return "";
-    return "FLIP is that of the whole picture, for this run has none over the footprint: relief beyond the quad counts "
-           "in it, which no per-pixel technique can draw.";
+    return "FLIP is that of the whole picture, for this run has none over the footprint: relief outside it "
+           "counts, which no per-pixel technique can draw.";
 }
 
 }  // namespace reliefbench

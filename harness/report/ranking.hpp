@@ -25,9 +25,8 @@ const PassTiming* draw_timing(const CellResult& cell);
 enum class RankingFlip {
     /// chosen_figures::flip
     footprint,
-    /// chosen_figures::flip_of_whole_picture, of runs of version 0.1.0: relief beyond the quad counts in it, which no
-    /// per-pixel technique can
-    /// draw.
+    /// chosen_figures::flip_of_whole_picture, of runs of version 0.1.0: relief outside the footprint counts in it,
+    /// which no per-pixel technique can draw.
     whole,
 };
 

@@ -59,5 +59,5 @@ export const wrongHits = "error.wrong_hits";
 /** Equal for all of some cells: then their hits are. */
 export const hitErrors = ["error.uv_texels.mean", "error.uv_texels.max", missedHits, falseHits];
 
-/** Relief beyond the quad, which errors of whole pictures count. */
+/** Relief outside the footprint, which errors of whole pictures count. */
 export const outsidePixels = "error.outside_quad.pixels";

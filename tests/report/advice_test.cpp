@@ -177,7 +177,8 @@ TEST(Advice, TimesWhoseIntervalsOverlapAreNotToldApart) {
 TEST(Advice, ARunWithoutErrorsOverTheFootprintIsRankedByTheWholePictureAndThatIsSaid) {
     std::vector<CellResult> cells = steps_to_quality();
     EXPECT_EQ(ranking_figure(cells).path, "image.footprint.flip");
-    EXPECT_THAT(format_advice(ask(cells, {budget(200)}), AdviceFormat::table, 100), Not(HasSubstr("beyond the quad")));
+    EXPECT_THAT(format_advice(ask(cells, {budget(200)}), AdviceFormat::table, 100),
+                Not(HasSubstr("outside the footprint")));
     for (CellResult& cell : cells) {
         set_figure(cell, "image.flip", *value_of("image.footprint.flip", cell) + 0.1);
         remove_figures(cell, "image.footprint");
@@ -185,9 +186,9 @@ TEST(Advice, ARunWithoutErrorsOverTheFootprintIsRankedByTheWholePictureAndThatIs
     EXPECT_EQ(ranking_figure(cells).path, "image.flip");
     const Advice advice = ask(cells, {budget(200)});
     EXPECT_EQ(name(advice.views.front().best), "pom n=8");
-    EXPECT_THAT(format_advice(advice, AdviceFormat::table, 100), HasSubstr("beyond the quad"));
+    EXPECT_THAT(format_advice(advice, AdviceFormat::table, 100), HasSubstr("outside the footprint"));
     EXPECT_THAT(Json::parse(format_advice(advice, AdviceFormat::json, 100)).at("note").get<std::string>(),
-                HasSubstr("beyond the quad"));
+                HasSubstr("outside the footprint"));
     EXPECT_THAT(error_message([&] { ask(cells, {flip(0.1)}); }), HasSubstr("image.footprint.flip"));
 }
 

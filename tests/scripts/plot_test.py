@@ -133,7 +133,7 @@ class Plot(unittest.TestCase):
         (self.path / "old.csv").write_text(f"{header}\na | v,a,ok,1,0.5,9\nb | v,b,ok,2,0.25,0\n")
         code, notes = self.plot("pareto", "old.csv", "-o", "figure.svg", "--error", "flip")
         self.assertEqual(code, 0)
-        self.assertIn("image.flip counts relief beyond the quad", notes)
+        self.assertIn("image.flip counts relief outside the footprint", notes)
         self.assertIn("image.footprint.flip would not, which these runs do not have", notes)
         (self.path / "new.csv").write_text(f"{header},image.footprint.flip\na | v,a,ok,1,0.5,9,0.1\nb | v,b,ok,2,0.5,9,0.05\n")
         self.shows(self.svg("pareto", "new.csv", "--error", "flip"), "lower is better")

@@ -168,7 +168,7 @@ function cautionWords(app: App, error: Metric, known: readonly Metric[]): string
   const words = unknown.map((path) => `No measured cell of this run has ${path}: the limit on it is left out.`);
   const overFootprint = app.data.figures.find((figure) => figure.stand_in === error.id);
   if (overFootprint !== undefined && app.measured().some((cell) => numberOf(cells, outsidePixels, cell))) {
-    words.push(`${error.label}: relief beyond the quad counts, too, which no per-pixel technique can draw.`);
+    words.push(`${error.label}: relief outside the footprint counts, too, which no per-pixel technique can draw.`);
     words.push(
       known.some(({ id }) => id === overFootprint.path)
         ? "The figures over the footprint leave it out."
