@@ -8,7 +8,7 @@ from plotted_figures import PlotError
 
 MOST_PANELS = 6
 # Axes whose values speak for themselves.
-BARE_AXES = ("heightmap", "projection", "boundary", "height_format")
+BARE_AXES = ("heightmap", "base", "projection", "boundary", "height_format")
 
 
 def short(name):

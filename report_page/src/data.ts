@@ -249,7 +249,7 @@ export function variedAxes(cells: Cells): string[] {
 /** An axis' value for people: "60°", "rock", "height scale 0.1". */
 export function axisValueText(axis: string, value: string): string {
   if (axis === "view_angle") return `${value}°`;
-  if (["heightmap", "projection", "boundary", "height_format"].includes(axis)) return value.split("/").pop() ?? value;
+  if (["heightmap", "base", "projection", "boundary", "height_format"].includes(axis)) return value.split("/").pop() ?? value;
   return `${axis.replaceAll("_", " ")} ${value}`;
 }
 

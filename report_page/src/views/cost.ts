@@ -49,23 +49,34 @@ function facetOf(app: App): string {
   const views = new Set(app.measured().map((cell) => viewOf(cells.id[cell]!)));
   if (views.size <= 1) return "none";
   if (views.size <= maxViewsByDefault) return "view";
-  return (axisColumn(cells, "view_angle")?.values.length ?? 0) > 1 ? "view_angle" : "none";
+  return ["base", "curvature", "view_angle"].find((axis) => (axisColumn(cells, axis)?.values.length ?? 0) > 1) ?? "none";
+}
+
+/** The axes by which panels differ: what a base costs says little without how far it bends. */
+function panelAxes(cells: Cells, facet: string): string[] {
+  const varied = variedAxes(cells);
+  return facet === "base" && varied.includes("curvature") ? ["base", "curvature"] : [facet];
 }
 
 /** The cells of each panel by its title, in the order of the axis' values. */
 function panelCells(app: App, facet: string): [string, number[]][] {
   const { cells } = app.run();
   if (facet === "none") return [["", [...app.measured()]]];
-  const groups = new Map<string, number[]>();
-  if (facet !== "view") for (const value of sortedValues(cells.axes[facet]!)) groups.set(valueText(value), []);
+  const axes = panelAxes(cells, facet);
+  const orders = facet === "view" ? [] : axes.map((axis) => sortedValues(cells.axes[axis]!).map(valueText));
+  const groups = new Map<string, { places: number[]; members: number[] }>();
   for (const cell of app.measured()) {
-    const key = facet === "view" ? viewLabel(cells, cell) : (textOf(cells.axes[facet], cell) ?? "–");
-    const group = groups.get(key);
-    if (group) group.push(cell);
-    else groups.set(key, [cell]);
+    const values = axes.map((axis) => textOf(cells.axes[axis], cell));
+    const texts = values.flatMap((value, at) => (value === null ? [] : [axisValueText(axes[at]!, value)]));
+    const title = facet === "view" ? viewLabel(cells, cell) : texts.join(" · ") || "–";
+    const group = groups.get(title);
+    if (group) group.members.push(cell);
+    else groups.set(title, { places: orders.map((order, at) => order.indexOf(values[at] ?? "")), members: [cell] });
   }
-  const title = (key: string) => (facet === "view" ? key : axisValueText(facet, key));
-  return [...groups].filter(([, members]) => members.length > 0).map(([key, members]) => [title(key), members]);
+  const before = (a: number[], b: number[]) => a.map((place, at) => place - b[at]!).find((by) => by !== 0) ?? 0;
+  return [...groups]
+    .sort(([, a], [, b]) => before(a.places, b.places))
+    .map(([title, { members }]) => [title, members]);
 }
 
 function cellMarks(cells: Cells, members: readonly number[], cost: Metric, error: Metric): Mark[] {
