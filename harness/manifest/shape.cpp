@@ -52,6 +52,13 @@ const std::vector<ShapeKind>& shape_kinds() {
          .features = {"tessellationShader"},
          .parameter_set = {},
          .parse_settings = parse_patches},
+        // The tetrahedra between the base and its floor; the technique is one function, of a piece of a ray in each.
+        {.word = "shell",
+         .form = R"("shell")",
+         .stage_files = {"shell.vert", "shell.frag"},
+         .own_files = {"trace.glsl"},
+         .features = {},
+         .parameter_set = {}},
     };
     return kinds;
 }

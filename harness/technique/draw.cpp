@@ -46,7 +46,7 @@ gpu::GraphicsPipelineOptions pipeline_options(const gpu::Device& device, const T
         .stages = compile_draw(device, technique, setup.parameters,
                                kind == Draw::Kind::probed ? Variant::probed : Variant::timed, setup.view),
         .constants = setup.constants,
-        .colour_formats = target_formats(kind, setup.view.relief.base),
+        .colour_formats = target_formats(kind, drawn_base(technique.manifest, setup.view.relief.base)),
         .depth_format = depth_format,
         .extent = target_extent(setup.view),
         .topology = setup.geometry.topology,
@@ -67,7 +67,7 @@ Draw::Draw(const gpu::Device& device, const Technique& technique, Kind kind, con
       geometry_(setup.geometry),
       depth_(device, extent_, depth_format, 1,
              vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eTransferSrc) {
-    for (const vk::Format format : target_formats(kind, setup.view.relief.base))
+    for (const vk::Format format : target_formats(kind, drawn_base(technique.manifest, setup.view.relief.base)))
         colours_.emplace_back(device, extent_, format, 1,
                               vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc);
     clears_.push_back(background_of(kind, setup.background));

@@ -108,7 +108,7 @@ struct Renderer::State {
           view(used_view),
           lighting(used_lighting),
           maps(device, technique, parameters, scene.textures()),
-          base(scene.textures().bases.get(view.relief.base)),
+          base(scene.textures().bases.get(drawn_base(technique.manifest, view.relief.base))),
           object(used_object),
           uniforms(make_uniforms(view)),
           setup(make_setup(view, uniforms)) {
@@ -209,7 +209,7 @@ Probe Renderer::State::probe(const DrawSetup& from) const {
                 .normals = std::nullopt,
                 .front = std::nullopt,
                 .stages = to_work(stages)};
-    if (base) {
+    if (!is_flat(view.relief.base)) {
         probe.normals = Image<std::array<float, 3>>(size);
         const auto normals = to_image<std::array<float, 4>>(size, draw.read_target(3));
         std::ranges::transform(normals.texels, probe.normals->texels.begin(), [](const std::array<float, 4>& normal) {

@@ -15,6 +15,11 @@ BaseSurface load_base(const BaseSource& source) {
     return {MeshBase{std::make_shared<const BaseMesh>(generate_base(source))}};
 }
 
+BaseSurface triangulated(const BaseSurface& base) {
+    static const auto unit_square = std::make_shared<const BaseMesh>(generate_base({.segments = 1}));
+    return is_flat(base) ? BaseSurface{MeshBase{unit_square}} : base;
+}
+
 bool is_flat(const BaseSurface& base) {
     return std::holds_alternative<Plane>(base.kind);
 }

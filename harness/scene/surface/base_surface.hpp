@@ -37,6 +37,9 @@ Plane flat_base(const BaseSurface& base);
 /// The base's triangles; of one that is not flat.
 const BaseMesh& curved_base(const BaseSurface& base);
 
+/// The same base as triangles: a plane's are the two halves of its unit square.
+BaseSurface triangulated(const BaseSurface& base);
+
 /// Perspective: a view depth that whatever can be seen of the relief exceeds, above 0. `cosine_of_corner`: of the angle
 /// between the middle and a corner of the picture.
 double nearest_depth(const BaseSurface& base, const Camera& camera, double height_scale, double cosine_of_corner);

@@ -52,6 +52,7 @@ SurfacePoint point_of(const BaseSource& source, double a, double b) {
         case BaseSource::Kind::saddle:
             return saddle_point(source.curvature, a, b);
         case BaseSource::Kind::plane:
+            return {{a, b, 0}, {0, 0, 1}};
         case BaseSource::Kind::file:
             break;
     }
@@ -60,7 +61,10 @@ SurfacePoint point_of(const BaseSource& source, double a, double b) {
 }
 
 const char* word_of(BaseSource::Kind kind) {
-    return kind == BaseSource::Kind::cylinder ? "cylinder" : kind == BaseSource::Kind::sphere ? "sphere" : "saddle";
+    return kind == BaseSource::Kind::plane      ? "plane"
+           : kind == BaseSource::Kind::cylinder ? "cylinder"
+           : kind == BaseSource::Kind::sphere   ? "sphere"
+                                                : "saddle";
 }
 
 }  // namespace
@@ -85,7 +89,7 @@ std::string folding_problem(const BaseSource& source, double height_scale) {
 }
 
 BaseMesh generate_base(const BaseSource& source) {
-    assert(source.is_generated() && source.segments > 0);
+    assert(source.kind != BaseSource::Kind::file && source.segments > 0);
     BaseMesh mesh;
     mesh.name = word_of(source.kind);
     mesh.is_unit_square = true;

@@ -13,9 +13,11 @@ namespace reliefbench {
 DrawPipeline raster_pipeline();
 /// Real geometry: a grid of patches through the technique's tessellation stages.
 DrawPipeline tessellation_pipeline();
+/// The tetrahedra between the base and the floor of its relief, whose fragments search the piece of the ray in each.
+DrawPipeline shell_pipeline();
 
 const std::vector<DrawPipeline>& draw_pipelines() {
-    static const std::vector<DrawPipeline> pipelines{raster_pipeline(), tessellation_pipeline()};
+    static const std::vector<DrawPipeline> pipelines{raster_pipeline(), tessellation_pipeline(), shell_pipeline()};
     return pipelines;
 }
 
@@ -23,6 +25,10 @@ const DrawPipeline& pipeline_of(const Manifest& manifest) {
     const auto found = std::ranges::find(draw_pipelines(), manifest.shape.kind, &DrawPipeline::shape);
     assert(found != draw_pipelines().end());
     return *found;
+}
+
+BaseSurface drawn_base(const Manifest& manifest, const BaseSurface& base) {
+    return pipeline_of(manifest).needs_triangles ? triangulated(base) : base;
 }
 
 double range_tolerance(const Manifest& manifest) {

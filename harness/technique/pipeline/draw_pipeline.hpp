@@ -50,6 +50,8 @@ struct DrawPipeline {
     DrawGeometry (*geometry)(const gpu::Device& device, const DrawnView& drawn);
     /// Records the draw calls, within a render pass and with the pipeline bound.
     void (*record)(const vk::raii::CommandBuffer& commands, const DrawGeometry& geometry);
+    /// Whether it draws the plane as triangles, too (drawn_base).
+    bool needs_triangles = false;
     /// What u, v and h of a hit may leave [0, 1] by.
     double range_tolerance = 0;
 };
@@ -58,5 +60,8 @@ struct DrawPipeline {
 const std::vector<DrawPipeline>& draw_pipelines();
 
 const DrawPipeline& pipeline_of(const Manifest& manifest);
+
+/// The base as the technique's draws are compiled for it and have it on the device.
+BaseSurface drawn_base(const Manifest& manifest, const BaseSurface& base);
 
 }  // namespace reliefbench

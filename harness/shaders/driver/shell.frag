@@ -1,0 +1,94 @@
+// A technique of the shell: its trace_shell() in one tetrahedron; what it finds is nearest by its depth.
+
+#include "answer_range.glsl"
+#include "scene.glsl"
+#include "shell_prism.glsl"
+#include "shell_ray.glsl"
+#include "surface.glsl"
+#include "work.glsl"
+#include "trace.glsl"
+
+layout(location = 0) flat in int tetrahedron_index;
+
+// What is hidden behind relief that has been found need not be searched: nothing lies before the face that is drawn.
+layout(depth_greater) out float gl_FragDepth;
+
+Trace trace_shell(ShellRay ray);
+
+// By which a piece goes on past the tetrahedron's faces, in sides of the patch: what single precision loses of places.
+const float overlap = 1e-6;
+
+// Within a tetrahedron, distances from `start`.
+struct Crossed {
+    float first;
+    float last;
+    bool from_base;
+};
+
+// In barycentric coordinates, which change linearly along the ray: inside, none of them is negative.
+Crossed cross_tetrahedron(Tetrahedron tetrahedron, vec4 weights, vec4 per_length) {
+    Crossed crossed = Crossed(-1e30, 1e30, false);
+    for (int i = 0; i < 4; ++i) {
+        if (per_length[i] == 0.0) continue;
+        float t = -weights[i] / per_length[i];
+        if (per_length[i] < 0.0) {
+            crossed.last = min(crossed.last, t);
+        } else if (t > crossed.first) {
+            crossed.first = t;
+            // The face opposite to corner 3 of the first tetrahedron is the base's.
+            crossed.from_base = i == 3 && tetrahedron.corners[2].place.z == 1.0;
+        }
+    }
+    return crossed;
+}
+
+vec3 relief_normal(int index, vec2 patch_uv) {
+    BaseTriangle triangle = base_triangle(index);
+    vec3 normal = normalize(linear_normal(triangle, patch_uv));
+    vec2 slope = surface_slope(patch_uv);
+    return normalize(triangle.handedness *
+                     cross(triangle.along_u + slope.x * normal, triangle.along_v + slope.y * normal));
+}
+
+void main() {
+    ViewRay view = view_ray(gl_FragCoord.xy);
+    Tetrahedron tetrahedron = shell_tetrahedron(tetrahedron_index);
+    vec3 corner = tetrahedron.corners[0].position;
+    mat3 to_weights = inverse(mat3(tetrahedron.corners[1].position - corner, tetrahedron.corners[2].position - corner,
+                                   tetrahedron.corners[3].position - corner));
+    // From near the tetrahedron, so that little is lost to the eye's distance.
+    float t_start = dot(corner - view.origin, view.direction);
+    vec3 inner = to_weights * (view.origin + t_start * view.direction - corner);
+    vec3 inner_per_length = to_weights * view.direction;
+    vec4 weights = vec4(1.0 - inner.x - inner.y - inner.z, inner);
+    vec4 per_length = vec4(-inner_per_length.x - inner_per_length.y - inner_per_length.z, inner_per_length);
+    Crossed crossed = cross_tetrahedron(tetrahedron, weights, per_length);
+    // The rasteriser may draw what the ray passes by.
+    if (crossed.first > crossed.last) crossed.first = crossed.last;
+    float first = crossed.first - overlap;
+    float length_inside = crossed.last + overlap - first;
+
+    mat4x3 places = mat4x3(tetrahedron.corners[0].place, tetrahedron.corners[1].place, tetrahedron.corners[2].place,
+                           tetrahedron.corners[3].place);
+    vec3 to_texture = vec3(scene.tiling, scene.tiling, 1.0);
+    ShellRay ray = ShellRay(to_texture * (places * (weights + first * per_length)),
+                            to_texture * (places * (length_inside * per_length)), crossed.from_base);
+#ifdef RELIEFBENCH_PROBED
+    count_begin(scene.resolution, gl_FragCoord.xy);
+#endif
+    Trace found = trace_shell(ray);
+#ifdef RELIEFBENCH_PROBED
+    uint bits = floatBitsToUint(found.s);
+    uint fault = found.kind == trace_on_ray && !answer_is_in_unit_range(found.s) ? answer_fault_s : answer_fault_none;
+    if (fault == answer_fault_none) fault = answer_fault_of_steps(found.steps, bits);
+    if (fault != answer_fault_none) count_fault(scene.resolution, gl_FragCoord.xy, fault, bits);
+#endif
+    count_pixel(scene.resolution, gl_FragCoord.xy, found.steps, found.converged);
+    if (found.kind == trace_miss) discard;
+
+    float t = t_start + first + found.s * length_inside;
+    vec4 hit = vec4(point_on_ray(ray, found.s) / scene.tiling, clamp(height_of_ray(ray, found.s), 0.0, 1.0), max(0.0, t));
+    vec4 clip = scene.clip_from_world * vec4(view.origin + t * view.direction, 1.0);
+    gl_FragDepth = max(clip.z / clip.w, gl_FragCoord.z);
+    write_surface(hit, view.direction, relief_normal(tetrahedron_index / tetrahedra_per_prism, hit.xy), vec3(1.0));
+}
