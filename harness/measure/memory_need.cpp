@@ -2,6 +2,7 @@
 
 #include "core/memory.hpp"
 #include "gpu/device.hpp"
+#include "reference/relief_pieces.hpp"
 
 #include <fmt/format.h>
 
@@ -41,7 +42,36 @@ std::uint64_t format_bytes(HeightFormat format) {
     return format == HeightFormat::r8 ? 1 : format == HeightFormat::r16 ? 2 : 4;
 }
 
+/// Over bases of triangles: a piece of the relief with its box, and what Embree's hierarchy takes while it is built.
+constexpr std::uint64_t host_relief_piece = 150;
+/// A triangle of the base as the tracer has it, and its place in a hierarchy.
+constexpr std::uint64_t host_base_triangle = 600;
+/// A facet of the diced mesh, while it is built.
+constexpr std::uint64_t host_diced_facet = 200;
+/// By pixel: normals, entries, charts, and the hits in double.
+constexpr std::uint64_t host_curved_pixel = 80;
+
+/// Of the triangles of generated bases; of a file's nothing is known before it is read.
+std::uint64_t curved_truth_need(const Cell& cell, const InputSizes& sizes, const TruthSettings& truth) {
+    const BaseSource& base = cell.view.base;
+    const double side = base.is_generated() ? base.segments : 0;
+    const double tiling = cell.view.view.relief.tiling;
+    const double cells = static_cast<double>(texels(sizes.height_map)) * tiling * tiling;
+    // Its triangles' sides cut cells along three directions.
+    const double cut = side * tiling * (sizes.height_map.width + sizes.height_map.height) * 2;
+    const double triangles = 2 * side * side;
+    const double pieces = std::min(cells + cut + triangles, max_relief_pieces) + triangles;
+    double bytes = pieces * host_relief_piece + triangles * host_base_triangle;
+    if (truth.kind == TruthSettings::Kind::mesh) {
+        const double subdivision = truth.subdivision;
+        bytes += (2 * cells * subdivision * subdivision + 2 * cut * subdivision + triangles) * host_diced_facet;
+    }
+    return static_cast<std::uint64_t>(bytes) + texels(cell.view.view.resolution) * host_curved_pixel +
+           texels(sizes.height_map) * host_truth_texel * 2;
+}
+
 std::uint64_t truth_need(const Cell& cell, const InputSizes& sizes, const TruthSettings& truth) {
+    if (!cell.view.base.is_flat()) return curved_truth_need(cell, sizes, truth);
     const std::uint64_t tracer = texels(sizes.height_map) * host_truth_texel;
     if (truth.kind != TruthSettings::Kind::mesh) return tracer;
     const double per_side = cell.view.view.relief.tiling * truth.subdivision;

@@ -81,7 +81,12 @@ private:
         View view = pair.view;
         view.camera = pair.camera;
         const auto shade = [&](const HitImage& hits) {
-            return shade_hits(hits, pair.loaded.map, pair.loaded.albedo, view, pair.lighting);
+            const LoadedMap& loaded = pair.loaded;
+            if (!pair.first.curved) return shade_hits(hits, loaded.map, loaded.albedo, view, pair.lighting);
+            // A hit that has another's error has no triangle of its own.
+            const auto normals = normals_over(hits, pair.first.curved->entry_triangles, loaded.map, view.relief);
+            return shade_hits(hits, Image<std::array<float, 3>>(hits.size, {1, 1, 1}), normals, loaded.albedo, view,
+                              pair.lighting);
         };
         const Image<float> map = flip_map(shade(change.first), shade(change.second));
         std::vector<double> values;

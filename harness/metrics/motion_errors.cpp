@@ -20,14 +20,36 @@ constexpr std::size_t rows_per_task = 8;
 /// what the camera's motion stretches.
 constexpr double same_surface_spacings = 2;
 
-glm::dvec3 point_of(const Hit& hit, const Relief& relief) {
-    return surface_point(relief, hit.u, hit.v, hit.h);
-}
+/// The points of the world that a frame's truth shows.
+class FramePoints {
+public:
+    FramePoints(const TruthFrame& frame, const Relief& relief)
+        : hits_(frame.hits),
+          relief_(relief),
+          is_flat_(is_flat(relief.base)),
+          rays_(frame.camera, frame.hits.size, parallel_window(relief.base, frame.camera, relief.height_scale)) {}
+
+    /// Of a pixel that has a hit. (u, v) names a point of the plane only.
+    glm::dvec3 at(int x, int y) const {
+        const Hit& hit = hits_.at(x, y);
+        if (is_flat_) return surface_point(relief_, hit.u, hit.v, hit.h);
+        const Ray ray = rays_.at(x, y);
+        return ray.origin + static_cast<double>(hit.t) * ray.direction;
+    }
+
+    const PixelRays& rays() const { return rays_; }
+
+private:
+    const HitImage& hits_;
+    const Relief& relief_;
+    bool is_flat_;
+    PixelRays rays_;
+};
 
 /// Distance of truth hits around a pixel: along rows and along columns the nearer of both neighbours, then the larger.
 class TruthSpacing {
 public:
-    TruthSpacing(const HitImage& hits, const Relief& relief) : hits_(hits), relief_(relief) {}
+    TruthSpacing(const HitImage& hits, const FramePoints& points) : hits_(hits), points_(points) {}
 
     double at(int x, int y) const {
         const double along_row = std::min(to_neighbour(x, y, -1, 0), to_neighbour(x, y, 1, 0));
@@ -42,17 +64,17 @@ private:
         const int other_x = x + dx;
         const int other_y = y + dy;
         if (other_x < 0 || other_x >= hits_.size.width || other_y < 0 || other_y >= hits_.size.height) return none;
-        const Hit& other = hits_.at(other_x, other_y);
-        if (!other.is_hit()) return none;
-        return glm::distance(point_of(hits_.at(x, y), relief_), point_of(other, relief_));
+        if (!hits_.at(other_x, other_y).is_hit()) return none;
+        return glm::distance(points_.at(x, y), points_.at(other_x, other_y));
     }
 
     const HitImage& hits_;
-    const Relief& relief_;
+    const FramePoints& points_;
 };
 
 /// `position` as PixelRays counts pixels.
-Landing land(glm::dvec2 position, glm::dvec3 point, double tolerance, const TruthFrame& frame, const Relief& relief) {
+Landing land(glm::dvec2 position, glm::dvec3 point, double tolerance, const TruthFrame& frame,
+             const FramePoints& points) {
     const glm::dvec2 corner(std::floor(position.x), std::floor(position.y));
     const glm::dvec2 fraction = position - corner;
     Landing landing{.x = static_cast<int>(corner.x), .y = static_cast<int>(corner.y)};
@@ -66,9 +88,8 @@ Landing land(glm::dvec2 position, glm::dvec3 point, double tolerance, const Trut
         const int x = landing.x + (right ? 1 : 0);
         const int y = landing.y + (below ? 1 : 0);
         if (x < 0 || x >= frame.hits.size.width || y < 0 || y >= frame.hits.size.height) continue;
-        const Hit& hit = frame.hits.at(x, y);
-        same[i] = frame.footprint.at(x, y) == in_footprint && hit.is_hit() &&
-                  glm::distance(point_of(hit, relief), point) <= tolerance;
+        same[i] = frame.footprint.at(x, y) == in_footprint && frame.hits.at(x, y).is_hit() &&
+                  glm::distance(points.at(x, y), point) <= tolerance;
         if (!same[i]) continue;
         weights[i] = (right ? fraction.x : 1 - fraction.x) * (below ? fraction.y : 1 - fraction.y);
         sum += weights[i];
@@ -199,21 +220,22 @@ TruthMotion follow_truth(const TruthFrame& first, const TruthFrame& second, cons
     assert(first.hits.size == second.hits.size && first.footprint.size == first.hits.size &&
            second.footprint.size == second.hits.size);
     const Resolution size = first.hits.size;
-    const PixelRays second_rays(second.camera, size, parallel_window(relief.base, second.camera, relief.height_scale));
-    const TruthSpacing spacing(first.hits, relief);
+    const FramePoints first_points(first, relief);
+    const FramePoints second_points(second, relief);
+    const TruthSpacing spacing(first.hits, first_points);
     TruthMotion motion{.landings = Image<Landing>(size)};
     parallel_for(static_cast<std::size_t>(size.height), rows_per_task, [&](std::size_t begin, std::size_t end) {
         for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
             for (int x = 0; x < size.width; ++x) {
                 const Hit& hit = first.hits.at(x, y);
                 if (first.footprint.at(x, y) != in_footprint || !hit.is_hit()) continue;
-                const glm::dvec3 point = point_of(hit, relief);
-                const auto position = second_rays.project(point);
+                const glm::dvec3 point = first_points.at(x, y);
+                const auto position = second_points.rays().project(point);
                 const double tolerance = same_surface_spacings * spacing.at(x, y);
                 if (!position || std::isinf(tolerance)) continue;
                 const bool in_picture =
                     position->x > -1 && position->x < size.width && position->y > -1 && position->y < size.height;
-                if (in_picture) motion.landings.at(x, y) = land(*position, point, tolerance, second, relief);
+                if (in_picture) motion.landings.at(x, y) = land(*position, point, tolerance, second, second_points);
             }
         }
     });

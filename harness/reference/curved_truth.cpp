@@ -50,6 +50,13 @@ private:
     const CurvedTracer& tracer_;
 };
 
+std::array<float, 3> shading_normal_over(const BaseTriangle& triangle, const Relief& relief,
+                                         const Image<std::array<float, 2>>& derivatives, const glm::dvec3& hit) {
+    const glm::dvec3 normal = relief_normal(triangle, {hit.x, hit.y}, (hit.z - 1) * relief.height_scale,
+                                            shading_slope(derivatives, relief, hit.x, hit.y));
+    return {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
+}
+
 class CurvedTruthTracer {
 public:
     CurvedTruthTracer(const HeightMap& map, const View& view)
@@ -104,11 +111,8 @@ private:
         hits_.at(i, j) = found;
         truth_.hits.at(i, j) = {static_cast<float>(hit.u), static_cast<float>(hit.v), static_cast<float>(hit.h),
                                 static_cast<float>(hit.t)};
-        const glm::dvec3 normal =
-            relief_normal(base_triangle(mesh_, found.triangle), {hit.u, hit.v}, (hit.h - 1) * view_.relief.height_scale,
-                          shading_slope(derivatives, view_.relief, hit.u, hit.v));
-        truth_.curved->normals.at(i, j) = {static_cast<float>(normal.x), static_cast<float>(normal.y),
-                                           static_cast<float>(normal.z)};
+        truth_.curved->normals.at(i, j) =
+            shading_normal_over(base_triangle(mesh_, found.triangle), view_.relief, derivatives, {hit.u, hit.v, hit.h});
         const std::uint32_t entered = truth_.curved->entry_triangles.at(i, j);
         const bool other_chart = entered != no_triangle && mesh_.charts[entered] != mesh_.charts[found.triangle];
         truth_.curved->off_chart.at(i, j) = other_chart ? 1 : 0;
@@ -160,6 +164,21 @@ Truth trace_diced_truth(const HeightMap& map, const Albedo& albedo, const View& 
     Truth truth = tracing.finish(albedo, lighting);
     truth.trace_ms = milliseconds_since(start);
     return truth;
+}
+
+Image<std::array<float, 3>> normals_over(const HitImage& hits, const Image<std::uint32_t>& triangles,
+                                         const HeightMap& map, const Relief& relief) {
+    const BaseMesh& mesh = curved_base(relief.base);
+    const Image<std::array<float, 2>> derivatives = height_derivatives(map);
+    Image<std::array<float, 3>> normals(hits.size);
+    for_each_pixel(hits.size, [&](int i, int j) {
+        const Hit& hit = hits.at(i, j);
+        const std::uint32_t triangle = triangles.at(i, j);
+        if (!hit.is_hit() || triangle == no_triangle) return;
+        normals.at(i, j) =
+            shading_normal_over(base_triangle(mesh, triangle), relief, derivatives, {hit.u, hit.v, hit.h});
+    });
+    return normals;
 }
 
 }  // namespace reliefbench

@@ -65,4 +65,9 @@ Image<std::array<float, 3>> shade_hits(const HitImage& hits, const Image<std::ar
 Image<std::array<float, 3>> shade_hits(const HitImage& hits, const HeightMap& map, const Albedo& albedo,
                                        const View& view, const Lighting& lighting);
 
+/// Shading normals of hits over a base of triangles, each hit's (u, v) taken to lie on the triangle given for its pixel
+/// (on its plane, where they lie beside it); zeros where there is no hit or no_triangle is given.
+Image<std::array<float, 3>> normals_over(const HitImage& hits, const Image<std::uint32_t>& triangles,
+                                         const HeightMap& map, const Relief& relief);
+
 }  // namespace reliefbench

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <optional>
 
@@ -280,6 +281,42 @@ TEST(MotionFigures, AreMeansOverPairsAndTheLargest) {
     EXPECT_EQ(values->mean, 3);
     EXPECT_DOUBLE_EQ(values->p95, (1 + 9.5) / 2);
     EXPECT_EQ(values->max, 10);
+}
+
+TEST(FollowTruth, OverTrianglesAPointIsWhereItsRayHits) {
+    // The plane once more, of two triangles whose (u, v) name no places of it.
+    auto mesh = std::make_shared<BaseMesh>();
+    mesh->vertices = {{{-0.5F, -0.5F, 0}, {0, 0, 1}, {3, 0}},
+                      {{0.5F, -0.5F, 0}, {0, 0, 1}, {5, 1}},
+                      {{0.5F, 0.5F, 0}, {0, 0, 1}, {4, 9}},
+                      {{-0.5F, 0.5F, 0}, {0, 0, 1}, {0, 7}}};
+    mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
+    mesh->charts = {0, 0};
+    Camera camera;
+    camera.view_angle = 50;
+    Camera next = camera;
+    next.azimuth += 3;
+    Frame first(camera, cliff);
+    Frame second(next, cliff);
+    const Relief flat = relief_with(Boundary::clip);
+    Relief curved = flat;
+    curved.base = {MeshBase{mesh}};
+    const auto follow = [&](const Relief& relief) {
+        return follow_truth({camera, first.hits, first.footprint}, {next, second.hits, second.footprint}, relief);
+    };
+    const TruthMotion expected = follow(flat);
+    for (Frame* frame : {&first, &second}) {
+        for (Hit& hit : frame->hits.texels)
+            hit.u = hit.v = 7;
+    }
+    const TruthMotion motion = follow(curved);
+    EXPECT_EQ(motion.unseen, expected.unseen);
+    for (std::size_t pixel = 0; pixel < expected.landings.texels.size(); ++pixel) {
+        const Landing& landing = motion.landings.texels[pixel];
+        ASSERT_EQ(landing.is_seen(), expected.landings.texels[pixel].is_seen()) << pixel;
+        for (std::size_t corner = 0; corner < 4; ++corner)
+            ASSERT_NEAR(landing.weights[corner], expected.landings.texels[pixel].weights[corner], 1e-3) << pixel;
+    }
 }
 
 }  // namespace
