@@ -57,6 +57,8 @@ const std::vector<Confinement>& confinements() {
     static const std::vector<Confinement> all{
         {"vulkan/", std::regex("gpu/vulkan\\.hpp"), std::regex("(gpu|technique)/.*")},
         only("OpenImageIO/", "scene/image_file\\.cpp"),
+        only("tiny_gltf", "scene/surface/gltf_file\\.cpp"),
+        only("tiny_obj_loader", "scene/surface/obj_file\\.cpp"),
         only("embree", "reference/(mesh_tracer\\.cpp|embree_scene\\.cpp|embree_handles\\.hpp)"),
         only("glslang/", "gpu/[a-z_]*\\.cpp"),
         only("SPIRV/", "gpu/[a-z_]*\\.cpp"),
@@ -172,7 +174,7 @@ TEST(Architecture, ThirdPartyHeadersStayBehindTheirInterface) {
             }
         }
     }
-    for (const char* prefix : {"vulkan/", "OpenImageIO/", "embree", "glslang/", "CLI/"})
+    for (const char* prefix : {"vulkan/", "OpenImageIO/", "tiny_gltf", "tiny_obj_loader", "embree", "glslang/", "CLI/"})
         EXPECT_TRUE(met.contains(prefix)) << "nothing includes " << prefix << ": what confines it checks nothing";
 }
 

@@ -43,6 +43,8 @@ struct BaseMesh {
     std::vector<glm::vec2> chart_periods;
     /// What the file's positions were multiplied by (BaseSource::Fit).
     double scale = 1;
+    /// What of the file is not drawn as it stands there, as sentences without the file's name.
+    std::vector<std::string> warnings;
     /// Whether the one chart covers the unit square and nothing else, as those of generated ones do.
     bool is_unit_square = false;
 };

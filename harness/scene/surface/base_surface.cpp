@@ -1,6 +1,7 @@
 #include "scene/surface/base_surface.hpp"
 
 #include "core/error.hpp"
+#include "scene/surface/file_base.hpp"
 #include "scene/surface/generated_base.hpp"
 #include "scene/surface/mesh_view.hpp"
 
@@ -11,7 +12,8 @@ namespace reliefbench {
 BaseSurface load_base(const BaseSource& source) {
     if (source.is_flat()) return {};
     if (const std::string problem = curvature_problem(source); !problem.empty()) fail("{}", problem);
-    assert(source.is_generated());
+    if (source.kind == BaseSource::Kind::file)
+        return {MeshBase{std::make_shared<const BaseMesh>(load_file_base(source))}};
     return {MeshBase{std::make_shared<const BaseMesh>(generate_base(source))}};
 }
 
