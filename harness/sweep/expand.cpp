@@ -1,10 +1,12 @@
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/suggest.hpp"
+#include "scene/surface/generated_base.hpp"
 #include "sweep/configuration.hpp"
 #include "sweep/plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <unordered_map>
 #include <unordered_set>
@@ -245,6 +247,20 @@ private:
     std::vector<bool> used_;
 };
 
+/// Of two views with one id: the axis of the files in which they differ.
+std::array<std::string, 3> differing_files(const ViewKey& one, const ViewKey& other) {
+    if (one.base != other.base) return {"base", one.base.file.string(), other.base.file.string()};
+    if (one.height_map.name != other.height_map.name) return {"heightmap", one.height_map.name, other.height_map.name};
+    return {"albedo", one.height_map.albedo, other.height_map.albedo};
+}
+
+/// Why there is no relief on this base: it overlaps itself, or the relief would fold. Of a product of axes these are
+/// single cells.
+std::string base_problem(const ViewKey& view) {
+    const std::string problem = curvature_problem(view.base);
+    return problem.empty() ? folding_problem(view.base, view.view.relief.height_scale) : problem;
+}
+
 /// The cells gathered by view, so that those of one view are neighbours even where a zip meets a view twice.
 class Matrix {
 public:
@@ -256,14 +272,13 @@ public:
         if (is_new) buckets_.push_back({view, {}, {}});
         Bucket& bucket = buckets_[found->second];
         if (bucket.view != view) {
-            const HeightMapSource& one = bucket.view.height_map;
-            const bool of_albedos = one.name == view.height_map.name;
+            const auto [axis, one, other] = differing_files(bucket.view, view);
             fail(
                 "{}: {}.axes.{}: '{}' and '{}' would both be called '{}' in results, which tell files by base "
                 "name; rename one",
-                origin_.file, origin_.path, of_albedos ? "albedo" : "heightmap", of_albedos ? one.albedo : one.name,
-                of_albedos ? view.height_map.albedo : view.height_map.name, id);
+                origin_.file, origin_.path, axis, one, other, id);
         }
+        const std::string problem = base_problem(view);
         for (const Assignment& assignment : assignments) {
             if (!is_new && bucket.assignments.contains(assignment.id)) continue;
             bucket.assignments.insert(assignment.id);
@@ -272,7 +287,7 @@ public:
             cell.technique = assignment.technique->manifest->id;
             cell.parameters = assignment.values;
             cell.view = view;
-            cell.skip_reason = assignment.skip_reason;
+            cell.skip_reason = assignment.skip_reason.empty() ? problem : assignment.skip_reason;
             if (!excluder_.drops(cell)) bucket.cells.push_back(std::move(cell));
         }
     }

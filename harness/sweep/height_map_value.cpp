@@ -3,6 +3,7 @@
 #include "core/number_text.hpp"
 #include "core/suggest.hpp"
 #include "scene/procedural.hpp"
+#include "sweep/input_path.hpp"
 
 #include <fmt/format.h>
 
@@ -135,30 +136,13 @@ HeightMapValue read_height_map_object(const JsonView& view) {
     return value;
 }
 
-/// An absolute path, so that the value means the same file wherever the configuration is read again.
 std::string resolve(const JsonView& view, const std::vector<std::filesystem::path>& folders, bool procedural_too) {
-    const std::string name = view.string();
-    bool is_folder = false;
-    for (const std::filesystem::path& folder : folders) {
-        const std::filesystem::path candidate = std::filesystem::absolute(folder / name).lexically_normal();
-        std::error_code ignored;
-        if (std::filesystem::is_regular_file(candidate, ignored)) return candidate.string();
-        is_folder = is_folder || std::filesystem::is_directory(candidate, ignored);
-    }
-    if (is_folder) view.fail_here(fmt::format("'{}' is a folder; name a file in it", name));
-    // Wherever it is looked for.
-    if (std::filesystem::path(name).is_absolute()) view.fail_here(fmt::format("there is no file '{}'", name));
-    std::vector<std::string> tried;
-    for (const std::filesystem::path& folder : folders) {
-        const std::string absolute = std::filesystem::weakly_canonical(folder).string();
-        if (std::ranges::find(tried, absolute) == tried.end()) tried.push_back(absolute);
-    }
-    if (!procedural_too) view.fail_here(fmt::format("no file '{}' in {}", name, join(tried, " or ")));
+    if (!procedural_too) return resolve_input_path(view, folders);
     std::vector<std::string> known;
     for (const ProceduralMap& map : procedural_maps())
         known.push_back(map.name);
-    view.fail_here(fmt::format("'{}' is neither a procedural height map{} nor a file in {}; procedural are {}", name,
-                               did_you_mean(name, known), join(tried, " or "), join(known)));
+    return resolve_input_path(view, folders, "neither a procedural height map" + did_you_mean(view.string(), known),
+                              "procedural are " + join(known));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "core/split.hpp"
 #include "core/suggest.hpp"
 #include "manifest/parameter_json.hpp"
+#include "sweep/base_value.hpp"
 #include "sweep/configuration.hpp"
 #include "sweep/configuration_keys.hpp"
 #include "sweep/height_map_value.hpp"
@@ -62,6 +63,7 @@ TechniqueSelection read_selection(const JsonView& view, const ManifestIndex& man
 /// With absolute paths of files, where the axis takes some.
 Json resolve_axis_value(const std::string& axis, const JsonView& value, const Folders& folders) {
     if (axis == "heightmap") return resolve_height_map_paths(value, folders);
+    if (axis == "base") return resolve_base_path(value, folders);
     if (axis == "albedo") return resolve_albedo_path(value, folders);
     return value.json();
 }

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/suggest.hpp"
 #include "manifest/parameter_json.hpp"
+#include "scene/surface/generated_base.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -101,12 +102,35 @@ PlannedAxis plan_axis(const Axis& axis, const Plan& plan) {
     return planned;
 }
 
+/// A curvature that no base of the configuration can have is a mistake; one that some cannot have ends their cells.
+void check_curvatures(const Plan& plan, const Configuration& configuration) {
+    const auto axis_called = [&](const char* name) { return std::ranges::find(plan.axes, name, &PlannedAxis::name); };
+    const auto curved = axis_called("curvature");
+    const auto bases = axis_called("base");
+    if (curved == plan.axes.end() || bases == plan.axes.end()) return;
+    const Axis& axis = configuration.axes[static_cast<std::size_t>(curved - plan.axes.begin())];
+    for (std::size_t index = 0; index < curved->settings.size(); ++index) {
+        std::string problem;
+        bool is_possible = false;
+        for (const ViewSetting& set_base : bases->settings) {
+            ViewKey view;
+            set_base(view);
+            curved->settings[index](view);
+            if (!view.base.is_generated()) continue;
+            problem = curvature_problem(view.base);
+            is_possible = is_possible || problem.empty();
+        }
+        if (!is_possible && !problem.empty()) value_view(axis, index).fail_here(problem);
+    }
+}
+
 void plan_axes(const Configuration& configuration, Plan& plan) {
     std::set<std::string> names;
     for (const Axis& axis : configuration.axes) {
         if (!names.insert(axis.name).second) fail_axis(axis, fmt::format("the axis '{}' is given twice", axis.name));
         plan.axes.push_back(plan_axis(axis, plan));
     }
+    check_curvatures(plan, configuration);
     if (!names.contains("heightmap")) {
         fail("{}: {}.axes: the axis \"heightmap\" is missing; give it one value or more", configuration.origin.file,
              configuration.origin.path);

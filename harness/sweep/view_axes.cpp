@@ -270,6 +270,7 @@ ViewKey make_view(const std::vector<ViewChoice>& choices) {
         view.base.curvature = BaseSource{}.curvature;
         view.base.segments = BaseSource{}.segments;
     }
+    if (view.base.kind != BaseSource::Kind::file) view.base.fit = BaseSource{}.fit;
     reset_unused(view.view.self_shadow);
     return view;
 }

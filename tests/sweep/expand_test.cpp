@@ -100,7 +100,7 @@ TEST(Expansion, IdsNameEveryAxisThatIsNotAtItsDefault) {
     EXPECT_EQ(axes_to_json(cells[0].view).dump(),
               R"({"heightmap":"rock","heightmap_size":"512x128","height_format":"r32f","view_angle":12.5,)"
               R"("azimuth":22.5,"projection":"perspective","distance":2.0,"fov":60.0,"base":"saddle",)"
-              R"("curvature":-0.5,"base_segments":64,"height_scale":0.1,"tiling":4.0,"boundary":"repeat",)"
+              R"("curvature":-0.5,"base_segments":64,"base_fit":null,"height_scale":0.1,"tiling":4.0,"boundary":"repeat",)"
               R"("resolution":"640x480","self_shadow":"off","soft_shadow":null,)"
               R"("hard_shadow_bias":null,"dykhta_bias":null,"shadow_min_steps":null,"shadow_max_steps":null,)"
               R"("shadow_softening":null,"depth_write":"on"})");
