@@ -5,6 +5,7 @@
 #include "cli/shared_options.hpp"
 #include "core/error.hpp"
 #include "core/suggest.hpp"
+#include "measure/base_records.hpp"
 #include "measure/shared_inputs.hpp"
 #include "report/benchmark_counters.hpp"
 #include "store/environment.hpp"
@@ -188,6 +189,7 @@ ExitCode bench(const BenchOptions& options) {
     std::optional<BenchCells> cells;
     if (!only_list) {
         inspect_height_maps(sources.cells);
+        inspect_bases(sources.cells);
         device.emplace(options.device.options);
         lock = options.sharing.lock(device->info());
         add_context(device->info(), options.sharing.share);

@@ -10,6 +10,7 @@
 #include "core/file.hpp"
 #include "core/log.hpp"
 #include "core/scratch_folder.hpp"
+#include "measure/base_records.hpp"
 #include "measure/clock.hpp"
 #include "measure/laboratory.hpp"
 #include "measure/pictures.hpp"
@@ -176,6 +177,7 @@ ExitCode render(const RenderOptions& options) {
     const std::vector<Cell> cells = cells_to_render(options, library);
     const Configuration configuration = configuration_of(options);
     warn_of_constant_maps(cells);
+    inspect_bases(cells);
     const gpu::Device device(options.device.options);
     ProgressPrinter printer;
     const auto on_progress = [&printer, start_s = steady_clock().seconds()](const PreparationProgress& progress) {

@@ -66,6 +66,18 @@ Json height_map_of(const StoredRun& run, const CellResult& cell) {
     return nullptr;
 }
 
+/// The record of the mesh file that the cell lies on; null where it lies on none.
+Json base_of(const StoredRun& run, const CellResult& cell) {
+    const Json bases = value_at(run, {"bases"});
+    if (!bases.is_array()) return nullptr;
+    for (const Json& base : bases) {
+        const bool is_base = value_at(base, {"name"}) == value_at(cell.axes, {"base"}) &&
+                             value_at(base, {"base_fit"}) == value_at(cell.axes, {"base_fit"});
+        if (is_base) return base;
+    }
+    return nullptr;
+}
+
 /// Of what is compiled and of nothing else (technique/source_identity.hpp): records of version 0.1.0 do not say so, and
 /// have hashes of all files of a folder.
 bool has_hashes_of_sources(const StoredRun& run) {
@@ -205,6 +217,13 @@ std::string subject_difference(const StoredRun& base, const CellResult& base_cel
         if (value_at(map_before, {"albedo_hash"}) != value_at(map_after, {"albedo_hash"})) {
             differences.push_back(fmt::format("the content of the albedo of its height map {} changed", name));
         }
+    }
+    const Json mesh_before = base_of(base, base_cell);
+    const Json mesh_after = base_of(changed, changed_cell);
+    if (mesh_before.is_object() && mesh_after.is_object() &&
+        value_at(mesh_before, {"hash"}) != value_at(mesh_after, {"hash"})) {
+        differences.push_back(
+            fmt::format("the content of its base {} changed", text_of(value_at(mesh_before, {"name"}))));
     }
     return join(differences, "; ");
 }

@@ -3,6 +3,7 @@
 #include "core/statistics.hpp"
 #include "gpu/device.hpp"
 #include "manifest/parameter_json.hpp"
+#include "measure/base_records.hpp"
 #include "store/environment.hpp"
 #include "store/figures.hpp"
 #include "store/stored_format.hpp"
@@ -111,6 +112,7 @@ Json make_run_record(const RunSubject& subject) {
     record["source_hashes"] = hashes_of_included_files;
     record["defaults"] = defaults_record(subject.library, subject.cells);
     record["height_maps"] = height_map_records(subject.height_maps);
+    if (Json bases = inspect_bases(subject.cells); !bases.empty()) record["bases"] = std::move(bases);
     record["empty_pass"] = empty_pass_record(subject.device);
     record["filter_deviation"] = filter_deviations(subject.device, subject.height_maps);
     record["figures"] = figures_to_json();

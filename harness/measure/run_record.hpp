@@ -21,8 +21,8 @@ struct RunSubject {
 };
 
 /// The content of run.json, but for what only the command line knows: configuration as expanded, environment, device,
-/// content hashes of the techniques and height maps in use, the time of an empty pass, and the filter's deviation for
-/// each height format in use.
+/// content hashes of the techniques, height maps and mesh files in use, the time of an empty pass, and the filter's
+/// deviation for each height format in use.
 Json make_run_record(const RunSubject& subject);
 
 }  // namespace reliefbench

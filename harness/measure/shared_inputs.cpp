@@ -5,6 +5,7 @@
 #include "core/hash.hpp"
 #include "core/log.hpp"
 #include "core/memory.hpp"
+#include "measure/base_records.hpp"
 #include "measure/memory_need.hpp"
 #include "sweep/height_map_value.hpp"
 #include "sweep/view_axes.hpp"
@@ -92,6 +93,7 @@ std::vector<HeightMapRecord> inspect_height_maps(const std::vector<Cell>& cells,
 }
 
 void check_input_files(const std::vector<Cell>& cells) {
+    inspect_bases(cells);
     for (const ViewKey* key : distinct_maps(cells)) {
         const HeightMapSource& source = key->height_map;
         if (is_too_large_to_inspect(*key, input_sizes(source))) continue;

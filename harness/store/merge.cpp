@@ -30,22 +30,23 @@ ShardNumber shard_of(const NamedRun& run) {
     return number;
 }
 
-/// Shards inspect the height maps of their own cells only: those that several have must agree, and all are kept.
-void add_height_maps(Json& all, const NamedRun& run) {
-    const auto maps = run.run.run.find("height_maps");
-    if (maps == run.run.run.end() || !maps->is_array()) return;
-    for (const Json& map : *maps) {
-        const auto is_same_map = [&](const Json& other) {
-            return other.value("name", "") == map.value("name", "") &&
-                   other.value("format", "") == map.value("format", "") &&
-                   other.value("size", Json()) == map.value("size", Json());
+/// Shards inspect the height maps and bases of their own cells only: those that several have must agree, and all are
+/// kept. `list`, in run.json, of what people call `what`; those that are the same in all `identity` are one.
+void add_inputs(Json& all, const NamedRun& run, const char* list, const char* what,
+                const std::vector<const char*>& identity) {
+    const auto inputs = run.run.run.find(list);
+    if (inputs == run.run.run.end() || !inputs->is_array()) return;
+    for (const Json& input : *inputs) {
+        const auto is_same = [&](const Json& other) {
+            return std::ranges::all_of(
+                identity, [&](const char* key) { return value_at(other, {key}) == value_at(input, {key}); });
         };
-        const auto known = std::find_if(all.begin(), all.end(), is_same_map);
+        const auto known = std::find_if(all.begin(), all.end(), is_same);
         if (known == all.end()) {
-            all.push_back(map);
-        } else if (*known != map) {
-            fail("{} has another height map '{}' than the shards before it; measure one of them again", run.name,
-                 map.value("name", ""));
+            all.push_back(input);
+        } else if (*known != input) {
+            fail("{} has another {} '{}' than the shards before it; measure one of them again", run.name, what,
+                 scalar_text(value_at(input, {"name"})));
         }
     }
 }
@@ -53,6 +54,7 @@ void add_height_maps(Json& all, const NamedRun& run) {
 /// What resume_differences compares, without what only some shards have.
 Json comparable(Json record) {
     record.erase("height_maps");
+    record.erase("bases");
     record.erase("techniques");
     record.erase("shard");
     return record;
@@ -148,6 +150,7 @@ MergedRun merge_runs(std::vector<NamedRun> shards, std::span<const PlannedCell> 
     const std::int64_t count = shard_of(first).count;
     SeenOnce seen;
     Json height_maps = Json::array();
+    Json bases = Json::array();
     Json techniques = Json::object();
     MergedRun merged;
     merged.run.run = first.run.run;
@@ -162,7 +165,8 @@ MergedRun merge_runs(std::vector<NamedRun> shards, std::span<const PlannedCell> 
         }
         require_same_run(first, run);
         seen.add_shard(shard, run.name);
-        add_height_maps(height_maps, run);
+        add_inputs(height_maps, run, "height_maps", "height map", {"name", "format", "size"});
+        add_inputs(bases, run, "bases", "base", {"name", "base_fit"});
         add_techniques(techniques, run);
         add_defaults(merged.run.run, run);
         merged.run.run["merged"].push_back(part_record(run));
@@ -173,6 +177,7 @@ MergedRun merge_runs(std::vector<NamedRun> shards, std::span<const PlannedCell> 
         run.run.cells.clear();
     }
     merged.run.run["height_maps"] = std::move(height_maps);
+    if (!bases.empty()) merged.run.run["bases"] = std::move(bases);
     merged.run.run["techniques"] = std::move(techniques);
     merged.missing = seen.missing(count, planned);
     return merged;

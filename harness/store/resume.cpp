@@ -134,13 +134,14 @@ std::vector<std::string> resume_differences(const Json& recorded, const Json& no
     }
     if (value_at(recorded, {"filters"}) != value_at(now, {"filters"})) differences.push_back("the filters differ");
     if (value_at(recorded, {"shard"}) != value_at(now, {"shard"})) differences.push_back("it is another shard");
-    for (const auto& [what, key] : {std::pair("height maps", "height_maps"), std::pair("techniques", "techniques"),
-                                    std::pair("shaders", "shaders")}) {
+    for (const auto& [what, key] : {std::pair("height maps", "height_maps"), std::pair("bases", "bases"),
+                                    std::pair("techniques", "techniques"), std::pair("shaders", "shaders")}) {
         const Json hashes_before = value_at(recorded, {key});
         const Json hashes_after = value_at(now, {key});
         if (hashes_before == hashes_after) continue;
         std::vector<std::string> names = differing_names(hashes_before, hashes_after);
-        const bool of_sources_alone = std::string_view(key) == "height_maps" || recorded.contains("source_hashes");
+        const bool is_input = std::string_view(key) == "height_maps" || std::string_view(key) == "bases";
+        const bool of_sources_alone = is_input || recorded.contains("source_hashes");
         differences.push_back(fmt::format("the content of {} differs{}{}", what,
                                           names.empty() ? "" : " (" + told(std::move(names)) + ")",
                                           of_sources_alone ? "" : ", or of other files in their folders"));

@@ -91,10 +91,11 @@ void check_run_record(const JsonView& record) {
         for (const auto& [id, hash] : record.at("techniques").members())
             hash.string();
     }
-    if (record.has("height_maps")) {
-        for (const JsonView& map : record.at("height_maps").items()) {
-            for (const char* key : {"name", "format"}) {
-                if (map.has(key)) map.at(key).string();
+    for (const char* list : {"height_maps", "bases"}) {
+        if (!record.has(list)) continue;
+        for (const JsonView& input : record.at(list).items()) {
+            for (const char* key : {"name", "format", "base_fit"}) {
+                if (input.has(key)) input.at(key).string();
             }
         }
     }

@@ -184,6 +184,22 @@ TEST(CompareRuns, WhatCannotBeComparedIsToldPlainly) {
     }
 }
 
+TEST(CompareRuns, AChangedMeshFileIsNotCompared) {
+    const auto run_with = [](const char* name, const char* hash) {
+        CellResult cell = cell_result("c", 1);
+        cell.axes["base"] = "car.glb";
+        cell.axes["base_fit"] = "unit";
+        StoredRun run = one_run(name, {cell});
+        run.run.run["bases"] = Json::parse(R"([{"name": "car.glb", "base_fit": "none", "hash": "n"},
+                                               {"name": "car.glb", "base_fit": "unit"}])");
+        run.run.run["bases"][1]["hash"] = hash;
+        return run;
+    };
+    EXPECT_THAT(uncompared_reasons(compare_one(run_with("base", "m"), run_with("new", "other"))),
+                ElementsAre("c: the content of its base car.glb changed"));
+    EXPECT_EQ(compare_one(run_with("base", "m"), run_with("new", "m")).cells.size(), 1U);
+}
+
 TEST(CompareRuns, AChangedHeightMapIsNotCompared) {
     StoredRun changed = one_run("new", {cell_result("c", 1)});
     changed.run.run["height_maps"][0]["hash"] = "other";

@@ -22,6 +22,7 @@ NamedRun shard(int index, int count, const std::vector<std::string>& cells) {
         "techniques": {"first": "t"},
         "defaults": {"parameters": {"first": {"steps": 8}}, "axes": {"fov": 45}},
         "height_maps": [{"name": "rock", "format": "r16", "size": [64, 64], "hash": "h"}],
+        "bases": [{"name": "car.glb", "base_fit": "unit", "hash": "m"}],
         "device": {"name": "gpu", "type": "discrete GPU", "driver": "d", "driver_version": "1"},
         "environment": {"cpu": "c", "tool_version": "1"}
     })");
@@ -45,6 +46,7 @@ TEST(Merge, PutsShardsTogetherAndKeepsEachCellsMachine) {
     second.run.run["techniques"] = {{"second", "u"}};
     second.run.run["defaults"]["parameters"] = {{"second", {{"leaf", "exact"}}}};
     second.run.run["height_maps"][0]["name"] = "bricks";
+    second.run.run["bases"][0]["base_fit"] = "none";
     const MergedRun merged = merge_runs(std::vector{shard(1, 2, {"a", "b"}), second});
     EXPECT_THAT(merged.missing, IsEmpty());
     ASSERT_EQ(merged.run.cells.size(), 3U);
@@ -55,6 +57,7 @@ TEST(Merge, PutsShardsTogetherAndKeepsEachCellsMachine) {
     EXPECT_EQ(record.at("defaults"), Json::parse(R"({"parameters": {"first": {"steps": 8}, "second": {"leaf": "exact"}},
                                                      "axes": {"fov": 45}})"));
     EXPECT_EQ(record.at("height_maps").size(), 2U);
+    EXPECT_EQ(record.at("bases").size(), 2U);
     EXPECT_EQ(record.at("merged").at(1).at("environment").at("cpu"), "another");
     EXPECT_EQ(record.at("merged").at(1).at("cells"), Json::array({"c"}));
 }
@@ -89,6 +92,7 @@ TEST(Merge, NeverMixesRunsOrDevices) {
     EXPECT_THAT(refused_with("/shaders", "x"), HasSubstr("shaders"));
     EXPECT_THAT(refused_with("/techniques/first", "x"), HasSubstr("technique 'first'"));
     EXPECT_THAT(refused_with("/height_maps/0/hash", "x"), HasSubstr("height map 'rock'"));
+    EXPECT_THAT(refused_with("/bases/0/hash", "x"), HasSubstr("base 'car.glb'"));
     EXPECT_THAT(refused_with("/shard/count", 3), HasSubstr("different runs"));
 }
 

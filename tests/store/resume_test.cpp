@@ -51,6 +51,8 @@ TEST(ResumeDifferences, AllThatMovesAFigureIsTold) {
     EXPECT_THAT(differences_after("/shaders", "ab"), ElementsAre("the content of shaders differs"));
     EXPECT_THAT(differences_after("/height_maps/0/hash", "ab"),
                 ElementsAre("the content of height maps differs (rocks.png)"));
+    EXPECT_THAT(differences_after("/bases", Json::parse(R"([{"name": "car.glb", "hash": "dd"}])")),
+                ElementsAre("the content of bases differs"));
     EXPECT_THAT(differences_after("/device/name", "slow"), ElementsAre("the device was 'fast' and is 'slow'"));
     EXPECT_THAT(differences_after("/device/driver_version", "2"),
                 ElementsAre("the driver's version was '1' and is '2'"));
