@@ -9,6 +9,7 @@
 #include "scene/image_file.hpp"
 #include "scene/procedural.hpp"
 #include "store/figures.hpp"
+#include "sweep/base_value.hpp"
 #include "sweep/view_axes.hpp"
 
 #include <CLI/CLI.hpp>
@@ -179,6 +180,20 @@ ExitCode list_axes(const std::string& format) {
     return ExitCode::done;
 }
 
+ExitCode list_bases(const std::string& format) {
+    ListTable table{.titles = {"Base", "Axes", "Limits", "What it is"},
+                    .rows = {},
+                    .note = "curvature is in 1/patch side, positive away from the viewer; see docs/bases.md\n"};
+    const Json bases = base_list_json();
+    for (const Json& base : bases) {
+        const auto text = [&base](const char* key) { return base.at(key).get<std::string>(); };
+        table.rows.push_back({text("base"), join(base.at("axes").get<std::vector<std::string>>(), " "), text("limits"),
+                              text("description")});
+    }
+    print_list(table, bases, format);
+    return ExitCode::done;
+}
+
 /// A list of its own with `--format`.
 void add_formatted_list(CLI::App& list, ChosenCommand& chosen, const std::string& name, const std::string& help,
                         ExitCode (*print)(const std::string& format)) {
@@ -213,6 +228,8 @@ void add_list_command(CLI::App& app, ChosenCommand& chosen) {
     height_maps->callback([&chosen] { chosen = list_height_maps; });
 
     add_formatted_list(*list, chosen, "axes", "Axes of a sweep: name, unit, default, values, meaning", list_axes);
+    add_formatted_list(*list, chosen, "bases", "Bases that the relief may lie on: name, axes, limits, meaning",
+                       list_bases);
     add_formatted_list(*list, chosen, "figures",
                        "Figures of a cell: name in its files, unit, which way is better, what it needs, label",
                        list_figures);

@@ -1,12 +1,14 @@
 #include "sweep/base_value.hpp"
 
 #include "core/suggest.hpp"
+#include "scene/surface/generated_base.hpp"
 #include "scene/surface/mesh_file.hpp"
 #include "sweep/input_path.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace reliefbench {
 
@@ -51,6 +53,28 @@ Json resolve_base_path(const JsonView& view, const std::vector<std::filesystem::
 std::string base_label(const BaseSource& source) {
     return source.kind == BaseSource::Kind::file ? source.file.filename().string()
                                                  : base_words()[static_cast<std::size_t>(source.kind)];
+}
+
+Json base_list_json() {
+    const auto entry = [](const std::string& base, const std::vector<std::string>& axes, const std::string& limits,
+                          const std::string& description) {
+        return Json{{"base", base}, {"axes", axes}, {"limits", limits}, {"description", description}};
+    };
+    const auto generated = [&](BaseSource::Kind kind, const std::string& description) {
+        const double largest = max_curvature(kind);
+        const bool both_ways = kind == BaseSource::Kind::saddle;
+        std::string limits =
+            fmt::format("{}curvature{}*height_scale below 1", both_ways ? "|" : "", both_ways ? "|" : "");
+        if (std::isfinite(largest))
+            limits = fmt::format("curvature from {0:.4f} to {1:.4f}, ", -largest, largest) + limits;
+        return entry(base_words()[static_cast<std::size_t>(kind)], {"curvature", "base_segments"}, limits, description);
+    };
+    return {entry("plane", {}, "", "the unit square, flat"),
+            generated(BaseSource::Kind::cylinder, "the unit square rolled about the u axis"),
+            generated(BaseSource::Kind::sphere, "the unit square laid over a sphere: true distances from its middle"),
+            generated(BaseSource::Kind::saddle, "bent away from the viewer along one axis and towards along the other"),
+            entry("FILE", {"base_fit"}, fmt::format("up to {} triangles with texture coordinates", max_file_triangles),
+                  "the triangles of " + readable_meshes())};
 }
 
 }  // namespace reliefbench

@@ -23,4 +23,7 @@ Json resolve_base_path(const JsonView& view, const std::vector<std::filesystem::
 /// What ids and results call it, files by base name: "sphere", "my_mesh.glb".
 std::string base_label(const BaseSource& source);
 
+/// `list bases` as JSON: an array of {"base", "axes", "limits", "description"}, files last.
+Json base_list_json();
+
 }  // namespace reliefbench

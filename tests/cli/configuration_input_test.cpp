@@ -160,9 +160,17 @@ TEST_F(ConfigurationInput, EveryCommandTellsAFullDisk) {
         {"completion", "completion zsh"},
         {"man", "man"},
     };
-    const std::vector<std::string> more = {
-        "list heightmaps",         "list devices", "list axes", "list figures", "list axes --format json",
-        "run tiny.json --dry-run", "run --help",   "--help",    "--version",    "completion bash"};
+    const std::vector<std::string> more = {"list heightmaps",
+                                           "list devices",
+                                           "list axes",
+                                           "list bases",
+                                           "list figures",
+                                           "list axes --format json",
+                                           "run tiny.json --dry-run",
+                                           "run --help",
+                                           "--help",
+                                           "--version",
+                                           "completion bash"};
     const std::string whole_help = reliefbench({"--help"}).out;
     const std::string help = whole_help.substr(0, whole_help.find("\n\nExit codes:"));
     const auto expect_told = [&](const std::string& command) {

@@ -69,10 +69,14 @@ const char* word_of(BaseSource::Kind kind) {
 
 }  // namespace
 
+double max_curvature(BaseSource::Kind kind) {
+    return kind == BaseSource::Kind::cylinder ? 2 * std::numbers::pi
+           : kind == BaseSource::Kind::sphere ? std::numbers::pi * std::numbers::sqrt2
+                                              : std::numeric_limits<double>::infinity();
+}
+
 std::string curvature_problem(const BaseSource& source) {
-    const double largest = source.kind == BaseSource::Kind::cylinder ? 2 * std::numbers::pi
-                           : source.kind == BaseSource::Kind::sphere ? std::numbers::pi * std::numbers::sqrt2
-                                                                     : std::numeric_limits<double>::infinity();
+    const double largest = max_curvature(source.kind);
     if (!source.is_generated() || std::abs(source.curvature) <= largest) return {};
     return fmt::format("a {} of curvature {} would overlap itself; from {:.4f} to {:.4f} it does not",
                        word_of(source.kind), source.curvature, -largest, largest);

@@ -7,6 +7,9 @@
 
 namespace reliefbench {
 
+/// The magnitude of κ up to which a generated base does not overlap itself; infinite where it never does.
+double max_curvature(BaseSource::Kind kind);
+
 /// Why a generated base cannot have this curvature (one that would overlap itself, or is not finite); empty when it
 /// can.
 std::string curvature_problem(const BaseSource& source);
