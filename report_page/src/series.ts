@@ -66,6 +66,7 @@ const units: Record<string, string> = {
   view_angle: "degrees",
   azimuth: "degrees",
   fov: "degrees",
+  curvature: "1/patch side",
   heightmap_size: "texels",
   resolution: "pixels",
 };

@@ -366,5 +366,37 @@ TEST_F(BadInput, AnUnknownCommandIsNamedWithThoseThereAre) {
     EXPECT_THAT(reliefbench({}).err, testing::Not(HasSubstr("there is no command")));
 }
 
+TEST_F(BadInput, MeshFilesAreReadBeforeAnythingIsWritten) {
+    const auto on = [&](const std::string& file) { return tiny([&](Json& json) { json["axes"]["base"] = file; }); };
+    expect_refused_by_both({on("none.glb")}, {"tiny.json: $.axes.base: no file 'none.glb' in"});
+    expect_refused_by_both({on("cone")}, {"tiny.json: $.axes.base: no base 'cone'", ".obj, .gltf, .glb"});
+    write("cut.glb", std::string("glTF\2\0\0\0", 8));
+    expect_refused_by_both({on("cut.glb")}, {"mesh '" + path("cut.glb") + "' is cut short"});
+    write("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    expect_refused_by_both({on("bare.obj")}, {"bare.obj' has no texture coordinates", "unwrap and export it again"});
+    expect_refused_by_both({tiny(), "-a", "base=cylinder", "-a", "curvature=7"},
+                           {"-a curvature=7: curvature: a cylinder of curvature 7 would overlap itself"});
+
+    // What can be drawn is, with warnings.
+    write("poor.obj",
+          "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\n"
+          "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 2/2/1 2/3/1\n");
+    const Outcome planned = reliefbench({"run", on("poor.obj"), "--dry-run"});
+    EXPECT_EQ(planned.code, 0) << planned.err;
+    EXPECT_THAT(planned.out, HasSubstr(" base=poor.obj"));
+    EXPECT_EQ(planned.err, "warning: mesh '" + path("poor.obj") + "': 1 triangle of no area, left out\n");
+}
+
+TEST_F(CommandLine, BasesAreListedWithTheirLimits) {
+    const Outcome table = reliefbench({"list", "bases"});
+    EXPECT_EQ(table.code, 0);
+    EXPECT_THAT(table.out, AllOf(HasSubstr("plane "), HasSubstr("curvature from -6.2832 to 6.2832"),
+                                 HasSubstr("|curvature|*height_scale below 1"), HasSubstr("(.obj, .gltf, .glb)")));
+    std::vector<std::string> names;
+    for (const Json& base : Json::parse(reliefbench({"list", "bases", "--format", "json"}).out))
+        names.push_back(base.at("base"));
+    EXPECT_THAT(names, testing::ElementsAre("plane", "cylinder", "sphere", "saddle", "FILE"));
+}
+
 }  // namespace
 }  // namespace reliefbench
