@@ -21,10 +21,6 @@ glm::dvec2 ComparedHits::chart_period(std::size_t pixel) const {
     return triangle < mesh.charts.size() ? glm::dvec2(mesh.chart_periods[mesh.charts[triangle]]) : glm::dvec2(0);
 }
 
-bool ComparedHits::ends_with_footprint() const {
-    return relief.boundary == Boundary::repeat && !curved;
-}
-
 ShadingNormals::ShadingNormals(const ComparedHits& hits) : hits_(hits) {
     assert(hits.curved.has_value() != is_flat(hits.relief.base));
     if (!hits.curved) derivatives_ = height_derivatives(hits.map);

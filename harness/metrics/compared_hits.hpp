@@ -43,9 +43,8 @@ struct ComparedHits {
     /// After how much of u, and of v, the chart that the pixel's ray entered by meets itself again; 0 where it does
     /// not.
     glm::dvec2 chart_period(std::size_t pixel) const;
-    /// Whether nothing is right or wrong outside F: Boundary::repeat on a flat base, whose relief goes on for ever and
-    /// whose truth ends with F.
-    bool ends_with_footprint() const;
+    /// Whether nothing is right or wrong outside F: with Boundary::repeat, where truths end with it.
+    bool ends_with_footprint() const { return relief.boundary == Boundary::repeat; }
 };
 
 /// The shading normals in world space of both, by pixel; where a pixel has a hit.

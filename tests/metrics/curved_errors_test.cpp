@@ -118,16 +118,6 @@ TEST(CurvedErrors, ShadowsAreSeenWhereTheTruthsNormalFacesTheLight) {
     EXPECT_EQ(errors.mean, 1);
 }
 
-TEST(CurvedErrors, ARepeatingReliefEndsWithItsBase) {
-    // On a flat base what lies outside F would be neither right nor wrong.
-    CurvedRow row(2);
-    row.relief.boundary = Boundary::repeat;
-    row.footprint.texels = {1, 0};
-    row.technique.texels[1] = Hit{};
-    EXPECT_EQ(compare_hits(row.compared()).coverage_iou, 0.5);
-    EXPECT_EQ(compare_hits(row.compared()).outside_quad_covered, 0);
-}
-
 TEST(CurvedErrors, OnAFlatBaseThereAreNoOtherCharts) {
     const CurvedRow row(1);
     const Relief flat;
