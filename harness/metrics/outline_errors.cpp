@@ -16,18 +16,21 @@ namespace {
 
 using PixelSet = Image<std::uint8_t>;
 
-/// Those pixels of a set of which one of the four neighbours within the frame is wanted, as is_wanted(index) says.
+/// Those pixels of a set of which one of the four neighbours is wanted, as is_wanted(index) says, or lies outside the
+/// frame where `beyond_frame` is wanted.
 template <typename Wanted>
-PixelSet with_neighbour(const PixelSet& set, const Wanted& is_wanted) {
+PixelSet with_neighbour(const PixelSet& set, bool beyond_frame, const Wanted& is_wanted) {
     PixelSet found(set.size);
-    const auto width = static_cast<std::size_t>(set.size.width);
+    const auto [columns, rows] = set.size;
+    const auto width = static_cast<std::size_t>(columns);
     std::size_t pixel = 0;
-    for (int y = 0; y < set.size.height; ++y) {
-        for (int x = 0; x < set.size.width; ++x, ++pixel) {
+    for (int y = 0; y < rows; ++y) {
+        for (int x = 0; x < columns; ++x, ++pixel) {
             if (set.texels[pixel] == 0) continue;
-            const bool has_one = (x > 0 && is_wanted(pixel - 1)) || (x + 1 < set.size.width && is_wanted(pixel + 1)) ||
-                                 (y > 0 && is_wanted(pixel - width)) ||
-                                 (y + 1 < set.size.height && is_wanted(pixel + width));
+            const bool has_one = (x > 0 ? is_wanted(pixel - 1) : beyond_frame) ||
+                                 (x + 1 < columns ? is_wanted(pixel + 1) : beyond_frame) ||
+                                 (y > 0 ? is_wanted(pixel - width) : beyond_frame) ||
+                                 (y + 1 < rows ? is_wanted(pixel + width) : beyond_frame);
             found.texels[pixel] = has_one ? 1 : 0;
         }
     }
@@ -53,16 +56,27 @@ OutlinedSets sets_within(const ComparedHits& hits, PixelSet region) {
     return sets;
 }
 
-/// The set's outline, with what the region's border makes of it.
-PixelSet outline_of(const PixelSet& set) {
-    return with_neighbour(set, [&](std::size_t neighbour) { return set.texels[neighbour] == 0; });
+/// The set's outline within the region.
+PixelSet inner_outline(const PixelSet& set, const PixelSet& region) {
+    return with_neighbour(
+        set, false, [&](std::size_t neighbour) { return region.texels[neighbour] != 0 && set.texels[neighbour] == 0; });
 }
 
-/// The part of it that distances are taken from.
-PixelSet measured_outline(const PixelSet& set, const PixelSet& region, const FootprintImage& footprint) {
-    PixelSet outline = with_neighbour(
-        set, [&](std::size_t neighbour) { return region.texels[neighbour] != 0 && set.texels[neighbour] == 0; });
+/// What the outline of `other` is compared with: the set's, and where the region's or the frame's border ends it, but
+/// not the other.
+PixelSet compared_outline(const PixelSet& set, const PixelSet& other, const PixelSet& region) {
+    PixelSet outline = inner_outline(set, region);
+    const PixelSet border =
+        with_neighbour(region, true, [&](std::size_t neighbour) { return region.texels[neighbour] == 0; });
     for (std::size_t pixel = 0; pixel < set.texels.size(); ++pixel) {
+        if (border.texels[pixel] != 0 && set.texels[pixel] != 0 && other.texels[pixel] == 0) outline.texels[pixel] = 1;
+    }
+    return outline;
+}
+
+/// The part of an outline that distances are taken from.
+PixelSet without_ties(PixelSet outline, const FootprintImage& footprint) {
+    for (std::size_t pixel = 0; pixel < outline.texels.size(); ++pixel) {
         if (footprint.texels[pixel] == tie_in_footprint) outline.texels[pixel] = 0;
     }
     return outline;
@@ -76,11 +90,11 @@ OutlineErrors::Distances distances_of(const OutlinedSets& sets, const FootprintI
     OutlineErrors::Distances errors;
     std::vector<double> distances;
     for (const auto& [from, to] : {std::pair(&sets.technique, &sets.truth), std::pair(&sets.truth, &sets.technique)}) {
-        const PixelSet measured = measured_outline(*from, sets.region, footprint);
+        const PixelSet measured = without_ties(inner_outline(*from, sets.region), footprint);
         const auto pixels = static_cast<std::size_t>(std::ranges::count(measured.texels, 1));
         errors.pixels += pixels;
         if (pixels == 0) continue;
-        const PixelSet outline = outline_of(*to);
+        const PixelSet outline = compared_outline(*to, *from, sets.region);
         if (!has_any(outline)) continue;
         const std::vector<double> one_way = distances_between(measured, outline);
         distances.insert(distances.end(), one_way.begin(), one_way.end());

@@ -49,6 +49,15 @@ bool nowhere(double, double) {
     return false;
 }
 
+/// The sum of the distances over a vertical edge to one so far off, in whose set the frame's upper and lower edge are
+/// nearer at the ends.
+double up_to_the_frame(double distance) {
+    double sum = 0;
+    for (int y = 0; y < frame.height; ++y)
+        sum += std::min(distance, std::hypot(1, std::min(y, frame.height - 1 - y)));
+    return sum;
+}
+
 OutlineErrors compare(const Inside& technique, const Inside& truth, const PixelSet& footprint,
                       Boundary boundary = Boundary::clip) {
     const HeightMap map = make_height_map(Image<float>({2, 2}, 0.5F), HeightFormat::r32f, "flat");
@@ -113,9 +122,33 @@ TEST(OutlineErrors, IsTheSameBothWays) {
 
 TEST(OutlineErrors, OfAShiftedEdgeIsTheShift) {
     const OutlineErrors errors = compare(left_of(70), left_of(64), set_of(everywhere));
-    EXPECT_EQ(errors.footprint.mean, 6);
+    // From the truth's edge to the technique's, 6 in each row. Back it is less in the first and last rows, where the
+    // frame ends the technique beyond the truth's edge.
+    EXPECT_NEAR(*errors.footprint.mean, (6 * 120 + up_to_the_frame(6)) / 240, 1e-12);
     EXPECT_EQ(errors.footprint.p95, 6);
     EXPECT_EQ(errors.footprint.pixels, 2 * 120U);
+}
+
+TEST(OutlineErrors, WhatEndsWithTheFrameIsComparedWithTheFramesEdge) {
+    // As parallel rays show a base: the frame is its bounding box.
+    const OutlineErrors errors = compare(
+        everywhere, [](double, double y) { return y >= 3; }, set_of(everywhere));
+    // In the corners its other edges are nearer.
+    double sum = 0;
+    for (int x = 0; x < frame.width; ++x)
+        sum += std::min(3.0, std::hypot(1, std::min(x, frame.width - 1 - x)));
+    EXPECT_NEAR(*errors.footprint.mean, sum / 160, 1e-12);
+    EXPECT_EQ(errors.footprint.p95, 3);
+    EXPECT_EQ(errors.footprint.pixels, 160U);
+    ASSERT_TRUE(errors.whole);
+    EXPECT_EQ(errors.whole->mean, errors.footprint.mean);
+}
+
+TEST(OutlineErrors, AHoleHasNothingToBeComparedWithWhereTheTruthHasNoOutline) {
+    const OutlineErrors errors =
+        compare([](double x, double y) { return x != 80 || y != 60; }, everywhere, set_of(disc(50)));
+    EXPECT_FALSE(errors.footprint.mean);
+    EXPECT_EQ(errors.footprint.pixels, 4U);
 }
 
 TEST(OutlineErrors, LeaveOutWhereBothEndBecauseTheFootprintDoes) {
@@ -125,9 +158,15 @@ TEST(OutlineErrors, LeaveOutWhereBothEndBecauseTheFootprintDoes) {
     const OutlineErrors errors =
         compare([](double x, double y) { return x < (y < 30 ? 95 : 100); }, everywhere, footprint);
     // The technique's vertical edge, at 94 against F's last pixel at 99, and its horizontal one, in row 30 from 95 to
-    // 99, nearer and nearer to it. The truth ends with F, and nothing is measured from there.
+    // 99, against F's last pixel in row 29. The truth ends with F, and nothing is measured from there.
     EXPECT_EQ(errors.footprint.pixels, 30 + 5U);
-    EXPECT_NEAR(*errors.footprint.mean, (30 * 5 + 4 + 3 + 2 + 1 + 0) / 35.0, 1e-12);
+    // But in the first rows F's upper border, where the truth ends and the technique has ended before, is nearer.
+    double sum = 0;
+    for (int y = 0; y < 30; ++y)
+        sum += std::min(5.0, std::hypot(1, y));
+    for (int columns = 0; columns < 5; ++columns)
+        sum += std::hypot(columns, 1);
+    EXPECT_NEAR(*errors.footprint.mean, sum / 35, 1e-12);
 }
 
 TEST(OutlineErrors, ATechniqueThatFillsTheFootprintIsMeasuredAgainstTheFootprintsBorder) {
@@ -174,14 +213,16 @@ TEST(OutlineErrors, OfTheWholeFrameKnowNoFootprint) {
     const OutlineErrors errors = compare(left_of(80), left_of(92), set_of(left_of(80)));
     EXPECT_EQ(errors.footprint.pixels, 0U);
     ASSERT_TRUE(errors.whole);
-    EXPECT_EQ(errors.whole->mean, 12);
-    EXPECT_EQ(figure(errors, "error.outline_all.mean"), 12);
+    EXPECT_NEAR(*errors.whole->mean, (12 * 120 + up_to_the_frame(12)) / 240, 1e-12);
+    EXPECT_EQ(errors.whole->p95, 12);
+    EXPECT_EQ(figure(errors, "error.outline_all.mean"), errors.whole->mean);
     EXPECT_EQ(figure(errors, "error.outline_all.pixels"), 2 * 120);
 }
 
 TEST(OutlineErrors, OfAReliefThatGoesOnForEverEndWithTheFootprint) {
     const OutlineErrors errors = compare(left_of(80), left_of(70), set_of(left_of(80)), Boundary::repeat);
-    EXPECT_EQ(errors.footprint.mean, 10) << "10 pixels short of the footprint's own border";
+    EXPECT_NEAR(*errors.footprint.mean, up_to_the_frame(10) / 120, 1e-12) << "short of the footprint's own border";
+    EXPECT_EQ(errors.footprint.p95, 10);
     EXPECT_FALSE(errors.whole);
     EXPECT_FALSE(figure(errors, "error.outline_all.pixels"));
 }
