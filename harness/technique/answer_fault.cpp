@@ -32,7 +32,7 @@ const char* name_of(AnswerFault::Quantity quantity) {
 const char* range_of(AnswerFault::Quantity quantity) {
     switch (quantity) {
         case AnswerFault::Quantity::s:
-            return "s of hit_on_ray lies in [0, 1], from h = 1 to h = 0";
+            return "s of hit_on_ray lies in [0, s_end], which is 1 where rays are straight";
         case AnswerFault::Quantity::uv:
             return "texture coordinates are finite";
         case AnswerFault::Quantity::h:

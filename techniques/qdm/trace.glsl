@@ -14,10 +14,14 @@ float cross_leaf_corners(CellRay ray, Place place, Node node) {
     vec4 corners = vec4(tap_height_texel(node.low), tap_height_texel(ivec2(node.high.x, node.low.y)),
                         tap_height_texel(ivec2(node.low.x, node.high.y)), tap_height_texel(node.high));
     vec2 size = vec2(node.high - node.low);
+#ifdef RELIEFBENCH_BENT_RAY
+    return cross_corners(ray, place, node.exit, corners, node.low, size);
+#else
     vec2 corner = (ray.origin - vec2(node.low + place.shift)) / size;
     vec2 way = ray.direction / size;
     return cross_patch(corners, vec3(corner + place.s * way, height_of_ray(ray.relief, place.s)),
                        vec3(corner + node.exit * way, height_of_ray(ray.relief, node.exit)));
+#endif
 }
 
 // The fraction of the ray's way from its place to the leaf's wall at which it hits, or no_crossing.
@@ -25,7 +29,11 @@ float cross_leaf(ReliefRay ray, CellRay cells, int leaf_level, inout Walk walk) 
     // The exact leaf reads a cell's corners in one tap, which makes a look at its maximum needless.
     if (leaf == leaf_exact && leaf_level == 0) return cross_cell(cells, walk.place, walk.node);
     float top = tap_map_texel(quadtree, walk.node.index, leaf_level).r;
+#ifdef RELIEFBENCH_BENT_RAY
+    if (lowest_between(ray, walk.place.s, walk.node.exit) >= top) return no_crossing;
+#else
     if (height_of_ray(ray, walk.node.exit) >= top) return no_crossing;
+#endif
     if (leaf == leaf_exact) return cross_leaf_corners(cells, walk.place, walk.node);
     if (leaf == leaf_linear) return cross_leaf_linear(ray, walk.place, walk.node);
     walk.place = move_within(cells, walk.place, walk.node, max(walk.place.s, s_at_height(ray, top)));

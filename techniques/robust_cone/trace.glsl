@@ -14,11 +14,27 @@ float least_step(ReliefRay ray, float s) {
     if (!minimum_step) return 0.0;
     vec2 size = vec2(height_map_size());
     vec2 in_cell = fract(point_on_ray(ray, s) * size - 0.5);
+#ifdef RELIEFBENCH_BENT_RAY
+    vec2 below = in_cell / size + beyond_wall;
+    vec2 above = (1.0 - in_cell) / size + beyond_wall;
+    vec2 speed = way_of_ray(ray, s);
+    bool is_above;
+    return min(first_wall(below.x, above.x, speed.x, ray.uv_bend.x, is_above),
+               first_wall(below.y, above.y, speed.y, ray.uv_bend.y, is_above));
+#else
     vec2 offset = straight_offset(ray);
     vec2 way = mix(in_cell, 1.0 - in_cell, greaterThan(offset, vec2(0.0)));
     vec2 walls = (way / size + beyond_wall) / max(abs(offset), vec2(slowest));
     return min(walls.x, walls.y);
+#endif
 }
+
+#ifdef RELIEFBENCH_BENT_RAY
+// Past the turn least steps alone lead on where cones are relaxed.
+float end_of_cones(ReliefRay ray, float s) {
+    return preparation == preparation_falling_edges ? max(s, lowest_of_ray(ray)) : end_of_ray(ray);
+}
+#endif
 
 bool looks_for_bumps() { return minimum_step && bump_check; }
 

@@ -88,14 +88,14 @@ HeightMap map_of(Resolution size, const std::function<double(int x, int y)>& hei
     return make_height_map(heights, HeightFormat::r16, "made");
 }
 
-BrokenCopy::BrokenCopy(const std::string& id, const std::string& file, const std::string& passage,
-                       const std::string& replacement) {
+BrokenCopy::BrokenCopy(const std::string& id, const std::vector<Replacement>& replacements) {
     const fs::path folder = root_ / "techniques" / id;
     const fs::path shaders = root_ / "shaders";
     fs::create_directories(folder);
     fs::copy(default_technique_root() / id, folder, fs::copy_options::recursive);
     fs::copy(shader_root(), shaders, fs::copy_options::recursive);
-    replace_once(fs::exists(folder / file) ? folder / file : find_shared_file(shaders, file), passage, replacement);
+    for (const auto& [file, passage, replacement] : replacements)
+        replace_once(fs::exists(folder / file) ? folder / file : find_shared_file(shaders, file), passage, replacement);
     technique_ = find_techniques({folder.parent_path()}, shaders).get(id);
 }
 

@@ -47,12 +47,20 @@ View perspective_view(double angle, double azimuth = -90);
 HeightMap procedural(const std::string& name, Resolution size);
 HeightMap map_of(Resolution size, const std::function<double(int x, int y)>& height);
 
-/// A copy of a shipped technique, in a folder of its own that lives as long as the object, with one passage of a shader
-/// replaced. The passage may also stand in a file of harness/shaders.
+/// Of a shader: of a technique's folder, or of harness/shaders.
+struct Replacement {
+    std::string file;
+    std::string passage;
+    std::string replacement;
+};
+
+/// A copy of a shipped technique, in a folder of its own that lives as long as the object, with passages replaced.
 class BrokenCopy {
 public:
+    BrokenCopy(const std::string& id, const std::vector<Replacement>& replacements);
     BrokenCopy(const std::string& id, const std::string& file, const std::string& passage,
-               const std::string& replacement);
+               const std::string& replacement)
+        : BrokenCopy(id, {{file, passage, replacement}}) {}
 
     const Technique& technique() const { return technique_; }
 

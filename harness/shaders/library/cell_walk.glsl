@@ -1,7 +1,7 @@
 // A ray's walk over bilinear cells and the square nodes of a quadtree above them, shared by the hierarchical techniques.
 // Cell (i, j) lies between the texel centres (i, j) and (i+1, j+1); a node of level n covers 2^n cells on a side.
 // Where the ray is, is kept in whole cells; ray parameters only decide which wall comes first. So nothing is skipped by
-// rounding, and nothing needs pushing over a wall.
+// rounding, and nothing needs pushing over a wall. What differs for rays that bend stands in bent_cell_walk.glsl.
 
 #include "bilinear_patch.glsl"
 
@@ -11,8 +11,12 @@ const float slowest = 1e-12;
 struct CellRay {
     vec2 origin;     // in cells, relative to the cell in which the ray enters
     vec2 direction;  // cells travelled from h = 1 to h = 0
+#ifdef RELIEFBENCH_BENT_RAY
+    vec2 bend;       // cells for each s^2
+#else
     vec2 inverse;
     bvec2 forward;
+#endif
     ivec2 size;      // of the map
     ReliefRay relief;
 };
@@ -30,8 +34,12 @@ struct Node {
     ivec2 high;  // exclusive
     vec2 walls;  // ray parameters of its two walls ahead
     float exit;
+#ifdef RELIEFBENCH_BENT_RAY
+    bvec2 forward;  // along each axis: whether the wall that is met is the higher one
+#endif
 };
 
+#ifndef RELIEFBENCH_BENT_RAY
 // `entry`: where the ray enters the relief, in cells.
 CellRay to_cells(ReliefRay ray, vec2 entry) {
     CellRay cells;
@@ -44,6 +52,7 @@ CellRay to_cells(ReliefRay ray, vec2 entry) {
     cells.relief = ray;
     return cells;
 }
+#endif
 
 Place enter_map(vec2 entry) {
     ivec2 size = height_map_size();
@@ -54,6 +63,9 @@ Place enter_map(vec2 entry) {
     return Place(cell, -cell, 0.0);
 }
 
+#ifdef RELIEFBENCH_BENT_RAY
+#include "bent_cell_walk.glsl"
+#else
 Node node_at(CellRay ray, Place place, int tree_level) {
     Node node;
     node.index = place.cell >> tree_level;
@@ -93,3 +105,4 @@ float cross_cell(CellRay ray, Place place, Node cell_node) {
     vec3 to = vec3(corner + cell_node.exit * ray.direction, height_of_ray(ray.relief, cell_node.exit));
     return cross_patch(corners, from, to);
 }
+#endif

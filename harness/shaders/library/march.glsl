@@ -27,7 +27,11 @@ float unrounded_layers(ReliefRay ray) {
     float least = float(min_steps);
     if (adaptive_by == adaptive_by_angle) return mix(least, most, acos(min(ray.to_eye.z, 1.0)) / grazing_angle);
     if (adaptive_by == adaptive_by_texels) {
+#ifdef RELIEFBENCH_BENT_RAY
+        float texels = length((point_on_ray(ray, ray.s_end) - ray.uv) * vec2(height_map_size()));
+#else
         float texels = length(straight_offset(ray) * vec2(height_map_size()));
+#endif
         return max(least, min(most, layers_per_texel * texels));
     }
     return mix(most, least, ray.to_eye.z);
@@ -41,8 +45,8 @@ float layer_count(ReliefRay ray) {
 }
 
 // Where the ray first passes beneath the surface, between two neighbouring layers. The last layer lies at the ray's end,
-// at h = 0, where every ray is at or beneath the surface: a crossing is always found. Of a fractional number of layers the
-// last is thinner, and comes and goes without a jump.
+// at h = 0, where every ray is at or beneath the surface: a crossing is always found, but by bent rays that end at h = 1.
+// Of a fractional number of layers the last is thinner, and comes and goes without a jump.
 Crossing find_crossing(ReliefRay ray, float layers) {
     float h = tap_along(ray, 0.0);
     if (enters_surface(h)) h = 1.0;
@@ -57,6 +61,11 @@ Crossing find_crossing(ReliefRay ray, float layers) {
     }
     return crossing;
 }
+
+#ifdef RELIEFBENCH_BENT_RAY
+// Whether the ray has left the relief again without a crossing.
+bool has_missed(ReliefRay ray, Crossing crossing) { return leaves_above(ray) && gap_below(ray, crossing) < 0.0; }
+#endif
 
 Refined refine(ReliefRay ray, Crossing crossing, float layers) {
     if (refinement == refinement_linear) return refine_linearly(ray, crossing);

@@ -15,6 +15,10 @@ float least_step(ReliefRay ray, float s) {
     return step_rule == step_rule_larger ? texels_along(ray, minimum_step) : 0.0;
 }
 
+#ifdef RELIEFBENCH_BENT_RAY
+float end_of_cones(ReliefRay ray, float s) { return end_of_ray(ray); }
+#endif
+
 bool looks_for_bumps() { return false; }
 
 // As Dummer's: what was added to the step that crossed the surface is taken back.
