@@ -63,9 +63,9 @@ void set_sample_count(const Manifest& manifest, ParameterValues& values, std::in
         std::max<std::int64_t>(1, std::llround(static_cast<double>(count) * ratio));
 }
 
-void reset_idle(const Manifest& manifest, ParameterValues& values) {
+void reset_idle(const Manifest& manifest, ParameterValues& values, bool on_flat_base) {
     for (const Parameter& parameter : manifest.parameters) {
-        if (!all_hold(parameter.only_with, values)) values.at(parameter.name) = parameter.default_value;
+        if (!has_effect(parameter, values, on_flat_base)) values.at(parameter.name) = parameter.default_value;
     }
 }
 

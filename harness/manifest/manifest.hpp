@@ -166,8 +166,9 @@ Manifest parse_manifest(const Json& json, const std::string& id, const std::stri
 Manifest load_manifest(const std::filesystem::path& folder, const std::filesystem::path& shared = {},
                        const std::vector<std::string>& known_features = {});
 
-/// Sets parameters that have no effect beside the others' values to their defaults, so that what draws alike is alike.
-void reset_idle(const Manifest& manifest, ParameterValues& values);
+/// Sets parameters that have no effect beside the others' values, or over the plane, to their defaults, so that what
+/// draws alike is alike.
+void reset_idle(const Manifest& manifest, ParameterValues& values, bool on_flat_base);
 
 /// Sets the sample count to `count`, and the adaptive minimum to round(count · its default ratio), at least 1.
 /// The manifest must have a sample count. Ranges are not checked.

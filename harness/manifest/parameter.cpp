@@ -59,6 +59,19 @@ std::string describe(const std::vector<ParameterCondition>& conditions) {
     return join(texts);
 }
 
+bool has_effect(const Parameter& parameter, const ParameterValues& values, bool on_flat_base) {
+    const bool is_idle_here = parameter.only_on == (on_flat_base ? BaseKinds::curved : BaseKinds::plane);
+    return all_hold(parameter.only_with, values) && !is_idle_here;
+}
+
+std::string describe_needs(const Parameter& parameter) {
+    std::vector<std::string> needs;
+    if (!parameter.only_with.empty()) needs.push_back(describe(parameter.only_with));
+    if (parameter.only_on == BaseKinds::curved) needs.emplace_back("a base other than the plane");
+    if (parameter.only_on == BaseKinds::plane) needs.emplace_back("the plane as base");
+    return join(needs);
+}
+
 std::string to_string(const ParameterValue& value) {
     struct Writer {
         std::string operator()(bool held) const { return held ? "true" : "false"; }

@@ -14,6 +14,8 @@ enum class ParameterType { integer, real, boolean, choice };
 /// A choice is held as its word. Booleans come first so that no other type converts into them silently.
 using ParameterValue = std::variant<bool, std::int64_t, double, std::string>;
 
+enum class BaseKinds { all, plane, curved };
+
 /// That a parameter has one of these values.
 struct ParameterCondition {
     std::string parameter;
@@ -39,6 +41,8 @@ struct Parameter {
     bool compile_time = false;
     /// All must hold, or the parameter has no effect: it is idle and keeps its default. They name parameters before it.
     std::vector<ParameterCondition> only_with = {};
+    /// Over which bases it has an effect; it is idle over others.
+    BaseKinds only_on = BaseKinds::all;
 };
 
 /// Values by name. In a cell always complete: every parameter of the technique has one.
@@ -53,6 +57,12 @@ bool all_hold(const std::vector<ParameterCondition>& conditions, const Parameter
 
 /// "refinement=binary, leaf=linear or exact".
 std::string describe(const std::vector<ParameterCondition>& conditions);
+
+/// Whether the parameter changes anything beside the others' values; they must be complete.
+bool has_effect(const Parameter& parameter, const ParameterValues& values, bool on_flat_base);
+
+/// What it needs for that, "refinement=binary, a base other than the plane"; empty where that is nothing.
+std::string describe_needs(const Parameter& parameter);
 
 /// "64", "0.5", "true", "exact": as the CLI and cell ids write it. Reals in the shortest form that reads back equal.
 std::string to_string(const ParameterValue& value);

@@ -87,7 +87,7 @@ Parameter parse_parameter(const JsonView& view, GlslNames& names) {
     parameter.name = view.at("name").string();
     parameter.type = static_cast<ParameterType>(view.at("type").choice(parameter_types));
 
-    std::vector<std::string> keys{"name", "type", "default", "help", "published", "only_with"};
+    std::vector<std::string> keys{"name", "type", "default", "help", "published", "only_with", "only_on"};
     switch (parameter.type) {
         case ParameterType::integer:
         case ParameterType::real:
@@ -109,6 +109,9 @@ Parameter parse_parameter(const JsonView& view, GlslNames& names) {
     if (view.has("compile_time")) parameter.compile_time = view.at("compile_time").boolean();
     if (parameter.compile_time) add_macros(view, parameter, names);
     if (view.has("published")) parameter.published = read_parameter_value(parameter, view.at("published"));
+    if (view.has("only_on"))
+        parameter.only_on =
+            view.at("only_on").choice({"plane", "curved_base"}) == 0 ? BaseKinds::plane : BaseKinds::curved;
     parameter.help = parse_line(view.at("help"));
     return parameter;
 }

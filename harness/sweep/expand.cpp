@@ -92,7 +92,7 @@ public:
     }
 
     /// The assignment with every combination of the values set by name.
-    void append_named(const Assignment& base, std::vector<Assignment>& assignments) const {
+    void append_named(const Assignment& base, bool on_flat_base, std::vector<Assignment>& assignments) const {
         std::vector<Assignment> named{base};
         for (const auto& [name, values] : technique_.selection->parameters) {
             std::vector<Assignment> extended;
@@ -105,7 +105,7 @@ public:
             named = std::move(extended);
         }
         for (Assignment& assignment : named) {
-            reset_idle(*technique_.manifest, assignment.values);
+            reset_idle(*technique_.manifest, assignment.values, on_flat_base);
             assignment.skip_reason = complain_of_swept_values(assignment);
             assignment.id = technique_id(*technique_.manifest, assignment.values);
             assignments.push_back(std::move(assignment));
@@ -148,15 +148,15 @@ private:
     std::unordered_set<std::string> axis_names_;
 };
 
-/// Notices values that are given to parameters without effect in any cell (Parameter::only_with).
+/// Notices values that are given to parameters without effect in any cell (has_effect).
 class IdleValues {
 public:
-    void see(const Assignment& assignment) {
+    void see(const Assignment& assignment, bool on_flat_base) {
         const TechniqueSelection& selection = *assignment.technique->selection;
         for (const auto& [name, values] : selection.parameters)
-            see(assignment, name, &selection);
+            see(assignment, on_flat_base, name, &selection);
         for (const std::string& name : assignment.swept)
-            see(assignment, name, nullptr);
+            see(assignment, on_flat_base, name, nullptr);
     }
 
     void fail_if_any(const Configuration& configuration) const {
@@ -172,11 +172,11 @@ public:
     }
 
 private:
-    void see(const Assignment& assignment, const std::string& name, const TechniqueSelection* selection) {
+    void see(const Assignment& assignment, bool on_flat_base, const std::string& name,
+             const TechniqueSelection* selection) {
         const Parameter& parameter = *assignment.technique->manifest->find_parameter(name);
-        const bool has_effect = all_hold(parameter.only_with, assignment.values);
-        const auto [found, is_new] = needs_.try_emplace({name, selection}, describe(parameter.only_with));
-        if (has_effect) found->second.clear();
+        const auto [found, is_new] = needs_.try_emplace({name, selection}, describe_needs(parameter));
+        if (has_effect(parameter, assignment.values, on_flat_base)) found->second.clear();
     }
 
     /// By parameter and, where it is set by name, selection: what it would need, or nothing once it had an effect.
@@ -184,7 +184,8 @@ private:
 };
 
 /// Every technique with every set of parameters that a view is drawn with, no two alike.
-std::vector<Assignment> assignments_of(const Plan& plan, const GroupChoices& outer, IdleValues& idle_values) {
+std::vector<Assignment> assignments_of(const Plan& plan, const GroupChoices& outer, bool on_flat_base,
+                                       IdleValues& idle_values) {
     std::vector<Assignment> assignments;
     for (const PlannedTechnique& technique : plan.techniques) {
         const Assigner assigner(plan, technique);
@@ -193,11 +194,11 @@ std::vector<Assignment> assignments_of(const Plan& plan, const GroupChoices& out
             if (!group.sets_view && assigner.is_affected_by(group)) groups.push_back(&group);
         }
         for_each_choice(groups, [&](const GroupChoices& inner) {
-            assigner.append_named(assigner.assign(outer, inner), assignments);
+            assigner.append_named(assigner.assign(outer, inner), on_flat_base, assignments);
         });
     }
     for (const Assignment& assignment : assignments)
-        idle_values.see(assignment);
+        idle_values.see(assignment, on_flat_base);
     std::unordered_set<std::string> ids;
     std::erase_if(assignments, [&](const Assignment& assignment) { return !ids.insert(assignment.id).second; });
     return assignments;
@@ -351,11 +352,14 @@ std::vector<Cell> expand(const Configuration& configuration, const std::vector<M
     Matrix matrix(plan, configuration.origin);
     IdleValues idle_values;
     std::vector<Assignment> assignments;
+    bool of_flat_base = true;
     for_each_choice(outer_groups, [&](const GroupChoices& outer) {
-        if (assignments.empty() || outer_sets_parameters) {
-            assignments = assignments_of(plan, outer, idle_values);
+        const ViewKey view = view_of(plan, outer);
+        if (assignments.empty() || outer_sets_parameters || of_flat_base != view.base.is_flat()) {
+            of_flat_base = view.base.is_flat();
+            assignments = assignments_of(plan, outer, of_flat_base, idle_values);
         }
-        matrix.add(view_of(plan, outer), assignments);
+        matrix.add(view, assignments);
     });
     idle_values.fail_if_any(configuration);
     std::vector<Cell> cells = matrix.take();

@@ -44,7 +44,7 @@ std::vector<ParameterValues> variants(const Manifest& manifest) {
     for (const Parameter& parameter : manifest.parameters) {
         const auto add = [&](const ParameterValue& value) {
             ParameterValues values = with_values(manifest, {{parameter.name, value}});
-            reset_idle(manifest, values);
+            reset_idle(manifest, values, true);
             if (values != manifest.defaults()) all.push_back(std::move(values));
         };
         if (parameter.type == ParameterType::boolean) {

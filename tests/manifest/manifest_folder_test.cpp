@@ -231,11 +231,11 @@ TEST_F(IncludedSets, IdleParametersKeepTheirDefaults) {
     const Manifest manifest = parse_including(including(R"(["steps.json"])", "[]"));
     ParameterValues values = manifest.defaults();
     values["halvings"] = std::int64_t{3};
-    reset_idle(manifest, values);
+    reset_idle(manifest, values, true);
     EXPECT_EQ(values.at("halvings"), ParameterValue(std::int64_t{6}));
     values["search"] = std::string("binary");
     values["halvings"] = std::int64_t{3};
-    reset_idle(manifest, values);
+    reset_idle(manifest, values, true);
     EXPECT_EQ(values.at("halvings"), ParameterValue(std::int64_t{3}));
 }
 

@@ -209,6 +209,7 @@ TEST(Manifest, WhatIsWrongIsNamedWithItsPlace) {
         {"/maps/1/mip_chain", "true", "no pass writes the levels above the base of the map 'cones'"},
         {"/maps/0/mip_chain", "false", "$.passes[1]: the map 'tree' has no level above its base"},
         {"/parameters/0/compile_time", "true", "$.parameters[0]"},
+        {"/parameters/0/only_on", "\"sphere\"", "$.parameters[0].only_on"},
         {"/shape", R"({"patches": {"parameter": "binary_steps", "triangles": {"leave": "linear"}}})",
          "$.shape.patches.triangles.leave: no parameter 'leave'"},
         {"/shape", R"({"patches": {"parameter": "binary_steps", "triangles": {"leaf": "round"}}})",

@@ -156,7 +156,9 @@ std::vector<Cell> expand_refined(const std::string& parameters, const std::strin
         "promises": [], "parameters": [
             {"name": "search", "type": "choice", "choices": ["none", "binary"], "default": "none", "help": "Last."},
             {"name": "halvings", "type": "integer", "default": 6, "range": [0, 24], "help": "Halvings.",
-             "only_with": {"search": "binary"}}]})",
+             "only_with": {"search": "binary"}},
+            {"name": "ray", "type": "choice", "choices": ["straight", "bent"], "default": "straight", "help": "Way.",
+             "only_on": "curved_base"}]})",
                                      "refined");
     techniques.push_back(parse_manifest(manifest, "refined", "refined"));
     const Json json = parse_json(R"({"techniques": [{"technique": "refined", "parameters": )" + parameters +
@@ -180,6 +182,14 @@ TEST(Expansion, AValueWithoutEffectInAnyCellIsAnError) {
                 HasSubstr("test.json: $.techniques[0]: 'halvings' has no effect in any cell: it needs search=binary"));
     EXPECT_THAT(error_message([] { expand_refined("{}", R"(, "halvings": [3, 4])"); }),
                 HasSubstr("$.axes.halvings: 'halvings' has no effect in any cell: it needs search=binary"));
+}
+
+TEST(Expansion, WhatOnlyACurvedBaseHasIsIdleOnThePlane) {
+    EXPECT_THAT(ids(expand_refined(R"({"ray": ["straight", "bent"]})", R"(, "base": ["plane", "sphere", "plane"])")),
+                ElementsAre("refined | heightmap=rock", "refined | heightmap=rock base=sphere",
+                            "refined ray=bent | heightmap=rock base=sphere"));
+    EXPECT_THAT(error_message([] { expand_refined("{}", R"(, "ray": ["straight", "bent"])"); }),
+                HasSubstr("$.axes.ray: 'ray' has no effect in any cell: it needs a base other than the plane"));
 }
 
 TEST(Expansion, MakesNoCellTwice) {
