@@ -40,8 +40,8 @@ struct ConeSearch {
 // between: the surface rises above the straight line between its ends by at most half the product of the way's lengths
 // along both axes of the texture, in texels.
 bool may_pass_bump(ReliefRay ray, float s, float gap, float s_end, float gap_end) {
-    float reach = sqrt(gap) + sqrt(gap_end);
 #ifdef RELIEFBENCH_BENT_RAY
+    float reach = sqrt(gap) + sqrt(gap_end);
     // The ray's own sagging counts as well, and what its way bends along axes, along each of which the surface rises by 1
     // a texel at most.
     vec2 size = vec2(height_map_size());
@@ -51,6 +51,7 @@ bool may_pass_bump(ReliefRay ray, float s, float gap, float s_end, float gap_end
     return reach * reach < 2.0 * way.x * way.y + bend.x + bend.y + s_way * s_way * max(ray.bend, 0.0);
 #else
     vec2 way = (s_end - s) * straight_offset(ray) * vec2(height_map_size());
+    float reach = sqrt(gap) + sqrt(gap_end);
     return reach * reach < 2.0 * abs(way.x * way.y);
 #endif
 }
