@@ -51,8 +51,47 @@ std::string declare_compile_time(const Parameter& parameter, const ParameterValu
                        compile_time_macro(parameter, word));
 }
 
+/// Whether it waits for another value of a parameter of compile time: then it is a macro, so that what is off leaves
+/// nothing in the shader, not even an unused constant.
+bool is_compiled_away(const Manifest& manifest, const Parameter& parameter, const ParameterValues& values) {
+    return std::ranges::any_of(parameter.only_with, [&](const ParameterCondition& condition) {
+        return manifest.find_parameter(condition.parameter)->compile_time && !all_hold({condition}, values);
+    });
+}
+
+/// As the 32 bits of its constant.
+std::uint32_t constant_bits(const Parameter& parameter, const ParameterValue& value) {
+    switch (parameter.type) {
+        case ParameterType::integer:
+            return static_cast<std::uint32_t>(std::get<std::int64_t>(value));
+        case ParameterType::real:
+            return std::bit_cast<std::uint32_t>(static_cast<float>(std::get<double>(value)));
+        case ParameterType::boolean:
+            return std::get<bool>(value) ? 1 : 0;
+        case ParameterType::choice: {
+            const auto& word = std::get<std::string>(value);
+            return static_cast<std::uint32_t>(std::ranges::find(parameter.choices, word) - parameter.choices.begin());
+        }
+    }
+    return 0;
+}
+
+std::string define_default(const Parameter& parameter) {
+    const std::uint32_t bits = constant_bits(parameter, parameter.default_value);
+    switch (parameter.type) {
+        case ParameterType::integer:
+        case ParameterType::choice:
+            return fmt::format("#define {} {}\n", parameter.name, static_cast<std::int32_t>(bits));
+        case ParameterType::real:
+            return fmt::format("#define {} {:#.9g}\n", parameter.name, std::bit_cast<float>(bits));
+        case ParameterType::boolean:
+            return fmt::format("#define {} {}\n", parameter.name, bits != 0);
+    }
+    return {};
+}
+
 /// A constant for each parameter. Its value comes by specialization, so that all values share one compilation, but for
-/// those of compile time.
+/// those of compile time and what they leave without effect.
 std::string declare_parameters(const Manifest& manifest, const ParameterValues& values) {
     std::string text;
     std::uint32_t id = first_parameter_constant - 1;
@@ -62,6 +101,10 @@ std::string declare_parameters(const Manifest& manifest, const ParameterValues& 
             text += fmt::format("const int {}_{} = {};\n", parameter.name, parameter.choices[i], i);
         if (parameter.compile_time) {
             text += declare_compile_time(parameter, values.at(parameter.name));
+            continue;
+        }
+        if (is_compiled_away(manifest, parameter, values)) {
+            text += define_default(parameter);
             continue;
         }
         const char* declaration = nullptr;
@@ -236,27 +279,8 @@ gpu::SpecializationValues parameter_constants(const Manifest& manifest, const Pa
         if (found == values.end()) fail("technique '{}': parameter '{}' has no value", manifest.id, parameter.name);
         const std::string problem = check_parameter_value(parameter, found->second);
         if (!problem.empty()) fail("technique '{}': parameter '{}': {}", manifest.id, parameter.name, problem);
-        if (parameter.compile_time) continue;
-
-        std::uint32_t bits = 0;
-        switch (parameter.type) {
-            case ParameterType::integer:
-                bits = static_cast<std::uint32_t>(std::get<std::int64_t>(found->second));
-                break;
-            case ParameterType::real:
-                bits = std::bit_cast<std::uint32_t>(static_cast<float>(std::get<double>(found->second)));
-                break;
-            case ParameterType::boolean:
-                bits = std::get<bool>(found->second) ? 1 : 0;
-                break;
-            case ParameterType::choice: {
-                const auto& word = std::get<std::string>(found->second);
-                const auto position = std::find(parameter.choices.begin(), parameter.choices.end(), word);
-                bits = static_cast<std::uint32_t>(position - parameter.choices.begin());
-                break;
-            }
-        }
-        constants[parameter.name] = bits;
+        if (parameter.compile_time || is_compiled_away(manifest, parameter, values)) continue;
+        constants[parameter.name] = constant_bits(parameter, found->second);
     }
     return constants;
 }

@@ -359,6 +359,37 @@ TEST_F(CurvedBase, IsFollowedToSecondOrderByBentRays) {
     EXPECT_LT(error["quadric_uv"] / error["straight"], 0.08);
 }
 
+// The same bent base under a skewed and stretched chart: the shape operator of (u, v) is not symmetric there.
+TEST_F(CurvedBase, BendsRaysAlikeUnderWhateverChart) {
+    const TemporaryTechnique folder(
+        Files{{"trace.glsl", "Trace trace(ReliefRay ray) { return hit_on_ray(s_at_height(ray, 0.3), 1); }\n"},
+              {"technique.json", manifest_json("", R"(, "contract": 2, "include": ["ray_model.json"])")}});
+    const Technique technique = folder.load();
+    View view = slanted_view(Projection::perspective);
+    view.relief.boundary = Boundary::repeat;
+    const ParameterValues bent{{"ray_model", std::string("quadric_uv")}};
+    BaseMesh mesh = curved_base(generated(BaseSource::Kind::cylinder, 1.5, 24));
+    view.relief.base = surface_of(mesh);
+    const Probe before = probe(technique, view, Lighting{}, bent);
+    const auto charted = [](auto u, auto v) { return glm::vec2(3 * float(u) + 2 * float(v), 0.5f * float(v)); };
+    for (MeshVertex& vertex : mesh.vertices)
+        vertex.uv = charted(vertex.uv.x, vertex.uv.y);
+    view.relief.base = surface_of(mesh);
+    const Probe after = probe(technique, view, Lighting{}, bent);
+    int compared = 0;
+    for (std::size_t i = 0; i < before.hits.texels.size(); ++i) {
+        const Hit& hit = before.hits.texels[i];
+        const Hit& moved = after.hits.texels[i];
+        if (!hit.is_hit() || !moved.is_hit()) continue;
+        ++compared;
+        const glm::vec2 expected = charted(hit.u, hit.v);
+        EXPECT_NEAR(moved.u, expected.x, 1e-4);
+        EXPECT_NEAR(moved.v, expected.y, 1e-4);
+        EXPECT_NEAR(moved.t, hit.t, 1e-5);
+    }
+    EXPECT_GT(compared, 500);
+}
+
 TEST_F(CurvedBase, ShowsTheNextFrontFaceWhereTheFirstIsMissed) {
     const TemporaryTechnique folder(Files{{"trace.glsl",
                                            "Trace trace(ReliefRay ray) { if (ray.uv.x < 1.0) return miss(3);\n"

@@ -4,7 +4,9 @@
 
 // Over a curved base a straight ray of the scene bends in texture space: techniques with the parameter `ray_model` can
 // follow it to second order. Height alone bends (`quadric`: Oliveira and Policarpo 2005), or height and way (`quadric_uv`).
-#if defined(RELIEFBENCH_CURVED) && (defined(RAY_MODEL_QUADRIC) || defined(RAY_MODEL_QUADRIC_UV))
+// The curvature may be given by hand, too, over the plane as well.
+#if defined(HAND_CURVATURE_CONSTANT) || defined(HAND_CURVATURE_PER_AXIS) || \
+    (defined(RELIEFBENCH_CURVED) && (defined(RAY_MODEL_QUADRIC) || defined(RAY_MODEL_QUADRIC_UV)))
 #define RELIEFBENCH_BENT_RAY 1
 #endif
 

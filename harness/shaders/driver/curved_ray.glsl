@@ -8,6 +8,10 @@
 #include "base_mesh.glsl"
 #include "relief.glsl"
 #include "scene.glsl"
+#ifdef RELIEFBENCH_BENT_RAY
+#include "bent_ray.glsl"
+#include "hand_curvature.glsl"
+#endif
 
 // Where the pixel's ray passes the base.
 struct CurvedEntry {
@@ -72,10 +76,16 @@ bool enter_base(inout ViewRay view, int index) {
         mat2((triangle.along_u * curved_entry.frame).xy, (triangle.along_v * curved_entry.frame).xy));
     curved_entry.per_normal = triangle.facet_normal / dot(triangle.facet_normal, normal);
 #ifdef RELIEFBENCH_BENT_RAY
+#ifdef RELIEFBENCH_HAND_CURVATURE
+    // Along tangent and bitangent, as the rows of this matrix take (u, v) to lengths.
+    mat2 lengths = inverse(curved_entry.uv_per_length);
+    curved_entry.fall = transpose(lengths) * hand_fall() * lengths;
+#else
     float fall_uv =
         0.5 * (dot(triangle.normal_along_u, triangle.along_v) + dot(triangle.normal_along_v, triangle.along_u));
     curved_entry.fall = mat2(dot(triangle.normal_along_u, triangle.along_u), fall_uv, fall_uv,
                              dot(triangle.normal_along_v, triangle.along_v));
+#endif
     float metric_uv = dot(triangle.along_u, triangle.along_v);
     curved_entry.shape = inverse(mat2(dot(triangle.along_u, triangle.along_u), metric_uv, metric_uv,
                                       dot(triangle.along_v, triangle.along_v))) *
@@ -103,43 +113,17 @@ ReliefRay curved_ray(vec2 uv, vec2 offset, vec3 to_eye, vec2 uv_dx, vec2 uv_dy, 
 }
 
 #ifdef RELIEFBENCH_BENT_RAY
-// Of a way over the tangent plane from h = 1 to h = 0: how far the base has fallen away beneath its end, in units of H, and
-// what it adds to the way, in texture coordinates, that the relief is narrower below than on the base.
 float bend_of(vec2 offset) {
     vec2 way = offset / scene.tiling;
     return dot(way, curved_entry.fall * way) / (2.0 * scene.height_scale);
 }
+
 vec2 uv_bend_of(vec2 offset) {
 #ifdef RAY_MODEL_QUADRIC_UV
     return scene.height_scale * (curved_entry.shape * offset);
 #else
     return vec2(0.0);
 #endif
-}
-
-void bend_ray(inout ReliefRay ray, float bend, vec2 uv_bend) {
-    ray.bend = bend;
-    ray.uv_bend = uv_bend;
-    ray.s_end = end_of_bend(bend);
-}
-
-// The ray of light through a point at height h over texture coordinates `uv`, from the straight one with that offset. A way
-// r towards the light, it has the height h + r + bend*r^2; it enters the relief where that is 1. False where a hollow base
-// keeps it below.
-bool bend_light_ray(inout ReliefRay ray, vec2 uv, float h, out float s_point) {
-    float depth = 1.0 - h;
-    float bend = bend_of(ray.straight_offset);
-    vec2 uv_bend = uv_bend_of(ray.straight_offset);
-    float discriminant = 1.0 + 4.0 * bend * depth;
-    if (discriminant <= 0.0) return false;
-    float descent = sqrt(discriminant);  // for each unit of r, where it enters
-    float way = 2.0 * depth / (1.0 + descent);
-    vec2 offset = ray.straight_offset + depth * uv_bend;
-    ray.uv = uv - way * (offset - way * uv_bend);
-    ray.straight_offset = (offset - 2.0 * way * uv_bend) / descent;
-    bend_ray(ray, bend / discriminant, uv_bend / discriminant);
-    s_point = way * descent;
-    return true;
 }
 #endif
 

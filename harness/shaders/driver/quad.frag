@@ -1,5 +1,6 @@
 // A per-pixel technique: its trace() from the ray of this pixel, then the boundary, the depth, the shadows and the colour.
 
+#include "grazing.glsl"
 #include "lod_fade.glsl"
 #ifndef RELIEFBENCH_CURVED
 #include "plane_ray.glsl"
@@ -51,17 +52,22 @@ void main() {
     }
     float t_per_s = scene.height_scale / -way_over_base(view.direction).z;
     vec2 offset = curved_offset(-view.direction);
+#ifdef GRAZING_LIMIT
+    float left_way = limited_way(-view.direction * curved_entry.frame);
+    offset *= left_way;
+#endif
     vec2 max_offset = offset / scene.tiling;
     vec2 uv_dx = scene.tiling * curved_entry.uv_dx;
     vec2 uv_dy = scene.tiling * curved_entry.uv_dy;
     ReliefRay ray = curved_ray(scene.tiling * view.entry, offset, -view.direction, uv_dx, uv_dy,
                                footprint_level(uv_dx, uv_dy));
-#ifdef RELIEFBENCH_BENT_RAY
-    bend_ray(ray, bend_of(offset), uv_bend_of(offset));
-#endif
 #else
     float t_per_s = scene.height_scale / -view.direction.z;
     vec2 max_offset = view.direction.xy * t_per_s;
+#ifdef GRAZING_LIMIT
+    float left_way = limited_way(-view.direction);
+    max_offset *= left_way;
+#endif
 
     vec2 uv = scene.tiling * view.entry;
     vec2 uv_dx = dFdx(uv);
@@ -69,7 +75,13 @@ void main() {
     ReliefRay ray = plane_ray(uv, scene.tiling * max_offset, -view.direction, uv_dx, uv_dy,
                               footprint_level(uv_dx, uv_dy));
 #endif
+#ifdef RELIEFBENCH_BENT_RAY
+    bend_ray(ray, bend_of(ray.straight_offset), uv_bend_of(ray.straight_offset));
+#endif
     float fade = lod_fade_at(ray, view.entry_t);
+#ifdef GRAZING_FADE
+    fade = max(fade, grazing_fade_at(ray.to_eye.z));
+#endif
 #ifdef RELIEFBENCH_PROBED
     count_begin(scene.resolution, gl_FragCoord.xy);
 #endif
@@ -94,6 +106,10 @@ void main() {
 #else
         hit = vec4(view.entry + found.s * max_offset, height_of_ray(ray, found.s), view.entry_t + found.s * t_per_s);
 #endif
+#ifdef GRAZING_LIMIT
+        // A ray that runs flatter than it may is not where its answer lies.
+        if (left_way < 1.0) hit.w = dot(surface_point(hit.xy, hit.z) - view.origin, view.direction);
+#endif
     } else {
         hit = vec4(found.uv / scene.tiling, found.h, 0.0);
         hit.w = dot(surface_point(hit.xy, hit.z) - view.origin, view.direction);
@@ -101,6 +117,9 @@ void main() {
     // Never negative, which would be a miss: parallel rays start on the polygon, where rounding decides the sign.
     hit.w = max(0.0, hit.w);
     if (!relief_repeats && !inside_patch(hit.xy)) discard;
+#ifdef TEXTURE_BOUNDS_CLIP
+    if (!inside_patch(hit.xy)) discard;
+#endif
 
 #ifdef RELIEFBENCH_WRITE_DEPTH
 #ifdef RELIEFBENCH_CURVED

@@ -150,10 +150,6 @@ float visibility_of_light(vec3 to_light, vec2 uv, float h, ReliefRay view_ray) {
     float s_point = 1.0 - h;
     ReliefRay ray = curved_ray(uv - s_point * max_offset, max_offset, to_light, view_ray.uv_dx, view_ray.uv_dy,
                                view_ray.level);
-#ifdef RELIEFBENCH_BENT_RAY
-    // The published soft ones know straight rays.
-    if (self_shadow == self_shadow_hard && !bend_light_ray(ray, uv, h, s_point)) return 0.0;
-#endif
 #else
     // The ground that the relief is sunk into is opaque.
     if (to_light.z <= 0.0) return 0.0;
@@ -162,6 +158,10 @@ float visibility_of_light(vec3 to_light, vec2 uv, float h, ReliefRay view_ray) {
     float s_point = 1.0 - h;
     ReliefRay ray = plane_ray(uv - s_point * max_offset, max_offset, to_light, view_ray.uv_dx, view_ray.uv_dy,
                               view_ray.level);
+#endif
+#ifdef RELIEFBENCH_BENT_RAY
+    // The published soft ones know straight rays.
+    if (self_shadow == self_shadow_hard && !bend_light_ray(ray, uv, h, s_point)) return 0.0;
 #endif
     if (self_shadow == self_shadow_hard) return hard_visibility(ray, s_point);
     if (self_shadow == self_shadow_dykhta) return dykhta_visibility(ray, uv, s_point);
