@@ -1,6 +1,7 @@
 #include "technique/base_on_device.hpp"
 
 #include "gpu/device.hpp"
+#include "scene/surface/chart_grid.hpp"
 
 #include <fmt/format.h>
 
@@ -19,24 +20,53 @@ struct DeviceVertex {
 };
 static_assert(sizeof(DeviceVertex) == 32);
 
+/// BaseChart of base_mesh.glsl, std430.
+struct DeviceChart {
+    ChartCells cells;
+    glm::vec2 period;
+};
+static_assert(sizeof(DeviceChart) == 40);
+
+template <typename Value>
+gpu::Buffer upload(const gpu::Device& device, const std::vector<Value>& values) {
+    return gpu::make_device_buffer(device, vk::BufferUsageFlagBits::eStorageBuffer, std::as_bytes(std::span(values)));
+}
+
+std::vector<std::pair<std::string, gpu::Buffer>> upload_charts(const gpu::Device& device, const BaseMesh& mesh) {
+    std::vector<std::pair<std::string, gpu::Buffer>> buffers;
+    if (mesh.is_unit_square) return buffers;
+    const ChartGrid grid = make_chart_grid(mesh);
+    std::vector<DeviceChart> charts;
+    for (std::size_t chart = 0; chart < grid.charts.size(); ++chart)
+        charts.push_back({grid.charts[chart], mesh.chart_periods[chart]});
+    buffers.emplace_back("base_charts", upload(device, charts));
+    buffers.emplace_back("base_triangle_charts", upload(device, mesh.charts));
+    buffers.emplace_back("base_cell_starts", upload(device, grid.cell_starts));
+    buffers.emplace_back("base_cell_triangles", upload(device, grid.cell_triangles));
+    return buffers;
+}
+
 gpu::Buffer upload_vertices(const gpu::Device& device, const BaseMesh& mesh) {
     std::vector<DeviceVertex> vertices;
     vertices.reserve(mesh.vertices.size());
     for (const MeshVertex& vertex : mesh.vertices)
         vertices.push_back({vertex.position, vertex.uv.x, vertex.normal, vertex.uv.y});
-    return gpu::make_device_buffer(device, vk::BufferUsageFlagBits::eStorageBuffer, std::as_bytes(std::span(vertices)));
+    return upload(device, vertices);
 }
 
 }  // namespace
 
 BaseOnDevice::BaseOnDevice(const gpu::Device& device, const BaseMesh& mesh)
     : vertices_(upload_vertices(device, mesh)),
-      indices_(gpu::make_device_buffer(device, vk::BufferUsageFlagBits::eStorageBuffer,
-                                       std::as_bytes(std::span(mesh.triangles)))) {}
+      indices_(upload(device, mesh.triangles)),
+      charts_(upload_charts(device, mesh)) {}
 
 std::vector<gpu::Binding> BaseOnDevice::bindings() const {
-    return {gpu::storage_buffer("base_vertices", vertices_.buffer),
-            gpu::storage_buffer("base_indices", indices_.buffer)};
+    std::vector<gpu::Binding> bindings{gpu::storage_buffer("base_vertices", vertices_.buffer),
+                                       gpu::storage_buffer("base_indices", indices_.buffer)};
+    for (const auto& [name, buffer] : charts_)
+        bindings.push_back(gpu::storage_buffer(name, buffer.buffer));
+    return bindings;
 }
 
 std::shared_ptr<const BaseOnDevice> BasesOnDevice::get(const BaseSurface& base) const {

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace reliefbench {
@@ -23,6 +24,8 @@ public:
 private:
     gpu::Buffer vertices_;
     gpu::Buffer indices_;
+    /// By name; of meshes whose chart is not the unit square.
+    std::vector<std::pair<std::string, gpu::Buffer>> charts_;
 };
 
 /// Those in use: renderers that draw one mesh at a time share it.

@@ -208,7 +208,9 @@ bool indexes_scene(const gpu::Device& device) {
 }
 
 std::string declare_base(const BaseSurface& base) {
-    return is_flat(base) ? "" : "#define RELIEFBENCH_CURVED 1\n";
+    if (is_flat(base)) return "";
+    return std::string("#define RELIEFBENCH_CURVED 1\n") +
+           (curved_base(base).is_unit_square ? "" : "#define RELIEFBENCH_CHARTS 1\n");
 }
 
 std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Technique& technique,

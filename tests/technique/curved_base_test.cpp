@@ -47,6 +47,7 @@ void add_parallelogram(BaseMesh& mesh, glm::vec3 origin, glm::vec3 along_u, glm:
         mesh.triangles.push_back(triangle);
         mesh.charts.push_back(first / 4);
     }
+    mesh.chart_periods.emplace_back(0, 0);
 }
 
 BaseSurface surface_of(BaseMesh mesh) {
@@ -406,6 +407,61 @@ TEST_F(CurvedBase, ShowsTheNextFrontFaceWhereTheFirstIsMissed) {
     EXPECT_NEAR(hit.u, 1.5, 0.02);
     EXPECT_NEAR(hit.t, 0.2, 1e-5);
     EXPECT_EQ(drawn.work.at(32, 32).steps, 8U);
+}
+
+// A chart of any shape: the bent patch without a quarter of it.
+TEST_F(CurvedBase, EndsWhereTheChartEndsThatThePixelEnters) {
+    View view = slanted_view(Projection::perspective, 50);
+    view.relief.height_scale = 0.2;
+    BaseMesh mesh = curved_base(generated(BaseSource::Kind::cylinder, 1, 16));
+    mesh.is_unit_square = false;
+    std::erase_if(mesh.triangles, [&](const BaseMesh::Triangle& corners) {
+        const glm::vec2 middle =
+            (mesh.vertices[corners[0]].uv + mesh.vertices[corners[1]].uv + mesh.vertices[corners[2]].uv) / 3.0f;
+        return middle.x > 0.5f && middle.y > 0.5f;
+    });
+    mesh.charts.resize(mesh.triangles.size());
+    view.relief.base = surface_of(mesh);
+    const Probe clipped = probe(shipped().get("max_mip"), view);
+    view.relief.boundary = Boundary::repeat;
+    const Probe open = probe(shipped().get("max_mip"), view);
+    int beyond = 0;
+    int within = 0;
+    for (std::size_t i = 0; i < open.hits.texels.size(); ++i) {
+        const Hit& hit = open.hits.texels[i];
+        if (!hit.is_hit()) continue;
+        // By how much it lies outside of the L.
+        const float outside = std::max({-hit.u, -hit.v, hit.u - 1, hit.v - 1, std::min(hit.u - 0.5f, hit.v - 0.5f)});
+        if (std::abs(outside) < 1e-5f) continue;
+        EXPECT_EQ(clipped.hits.texels[i].is_hit(), outside < 0) << hit.u << ' ' << hit.v;
+        ++(outside < 0 ? within : beyond);
+    }
+    EXPECT_GT(within, 300);
+    EXPECT_GT(beyond, 50);
+}
+
+TEST_F(CurvedBase, IsTheSameByItsChartAsByTheUnitSquare) {
+    View view = slanted_view(Projection::perspective, 30);
+    view.relief.height_scale = 0.3;
+    view.self_shadow.mode = SelfShadow::Mode::hard;
+    Lighting lighting;
+    lighting.lights = {{.direction = {0.5, 0.6, 0.25}, .colour = {1, 1, 1}}};
+    BaseMesh mesh = curved_base(generated(BaseSource::Kind::sphere, 0.5, 8));
+    view.relief.base = surface_of(mesh);
+    const Probe square = probe(shipped().get("max_mip"), view, lighting);
+    mesh.is_unit_square = false;
+    view.relief.base = surface_of(mesh);
+    const Probe charted = probe(shipped().get("max_mip"), view, lighting);
+    int shadowed = 0;
+    int differing = 0;
+    for (std::size_t i = 0; i < square.hits.texels.size(); ++i) {
+        const bool same = square.hits.texels[i] == charted.hits.texels[i] &&
+                          square.light_visibility.texels[i] == charted.light_visibility.texels[i];
+        if (!same) ++differing;
+        if (square.light_visibility.texels[i][0] < 1) ++shadowed;
+    }
+    EXPECT_GT(shadowed, 50);
+    EXPECT_LE(differing, 6);
 }
 
 TEST_F(CurvedBase, IsNotDrawnByTechniquesOfContract1) {

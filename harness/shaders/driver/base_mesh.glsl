@@ -15,6 +15,28 @@ base_vertices;
 layout(set = 0, binding = 7, std430) readonly buffer BaseIndices { uint at[]; }
 base_indices;
 
+#ifdef RELIEFBENCH_CHARTS
+// The mirror of ChartGrid in harness/scene/surface/chart_grid.hpp, with the charts' periods.
+struct BaseChart {
+    vec2 low;
+    vec2 cells_per_uv;
+    uvec2 cells;
+    uint first_cell;
+    uint unused;
+    vec2 period;  // 0 where it does not meet itself
+};
+
+// Numbers beyond those of derived maps.
+layout(set = 0, binding = 60, std430) readonly buffer BaseCharts { BaseChart at[]; }
+base_charts;
+layout(set = 0, binding = 61, std430) readonly buffer BaseTriangleCharts { uint at[]; }
+base_triangle_charts;
+layout(set = 0, binding = 62, std430) readonly buffer BaseCellStarts { uint at[]; }
+base_cell_starts;
+layout(set = 0, binding = 63, std430) readonly buffer BaseCellTriangles { uint at[]; }
+base_cell_triangles;
+#endif
+
 BaseVertex base_vertex(int triangle, int corner) {
     return base_vertices.at[base_indices.at[3 * triangle + corner]];
 }

@@ -5,6 +5,9 @@
 // snapping would show in the errors. Of the base a ray knows what engines know: the tangent frame where the pixel enters, and
 // where it is bent (relief_ray.glsl) how the normals of the triangle turn.
 
+#ifdef RELIEFBENCH_CHARTS
+#include "base_charts.glsl"
+#endif
 #include "base_mesh.glsl"
 #include "relief.glsl"
 #include "scene.glsl"
@@ -25,6 +28,9 @@ struct CurvedEntry {
     float handedness;    // of (dP/du, dP/dv, N)
     vec2 uv_dx;          // how `uv` changes from pixel to pixel, on this triangle
     vec2 uv_dy;
+#ifdef RELIEFBENCH_CHARTS
+    uint chart;
+#endif
 #ifdef RELIEFBENCH_BENT_RAY
     mat2 fall;   // second fundamental form of (u, v), from the triangle's normals: positive where the base falls away
     mat2 shape;  // shape operator of (u, v): the same as a map of tangent vectors
@@ -67,6 +73,9 @@ bool enter_base(inout ViewRay view, int index) {
     curved_entry.along_u = triangle.along_u;
     curved_entry.along_v = triangle.along_v;
     curved_entry.handedness = triangle.handedness;
+#ifdef RELIEFBENCH_CHARTS
+    curved_entry.chart = base_triangle_charts.at[index];
+#endif
 
     vec3 normal = normalize(linear_normal(triangle, curved_entry.uv));
     vec3 tangent = normalize(triangle.along_u - normal * dot(normal, triangle.along_u));
@@ -131,6 +140,23 @@ vec2 uv_bend_of(vec2 offset) {
 vec2 curved_offset(vec3 to_eye) {
     vec3 way = way_over_base(to_eye);
     return -scene.tiling * scene.height_scale / way.z * way.xy;
+}
+
+// Whether the base goes on over patch coordinates: on the chart by which the pixel has entered.
+bool inside_base(vec2 patch_uv) {
+#ifdef RELIEFBENCH_CHARTS
+    return inside_chart(curved_entry.chart, patch_uv);
+#else
+    return inside_patch(patch_uv);
+#endif
+}
+
+bool has_left_base(vec2 patch_uv, vec2 way) {
+#ifdef RELIEFBENCH_CHARTS
+    return has_left_chart(curved_entry.chart, patch_uv, way);
+#else
+    return has_left_patch(patch_uv, way);
+#endif
 }
 
 // S as the entry knows it, in its tangent plane: off the ray, the distance along the ray is that of this point.

@@ -31,10 +31,14 @@ void discard_counted() {
 #include "work.glsl"
 
 #ifdef RELIEFBENCH_BENT_RAY
-// Whether the ray is outside of the patch from s on.
-bool has_left_patch(ReliefRay ray, float s) {
+// Whether the ray is beside the base from s on.
+bool has_left_base(ReliefRay ray, float s) {
     vec2 place = point_on_ray(ray, s) / scene.tiling;
+#ifdef RELIEFBENCH_CURVED
+    return has_left_base(place, way_of_ray(ray, s)) && has_left_base(place, way_of_ray(ray, ray.s_end));
+#else
     return has_left_patch(place, way_of_ray(ray, s)) && has_left_patch(place, way_of_ray(ray, ray.s_end));
+#endif
 }
 #endif
 
@@ -90,7 +94,9 @@ void main() {
     // Only a search that could still hit something counts as unconverged. Its ray parameter is that before the fade.
     if (found.kind == trace_on_ray && !found.converged && !relief_repeats)
 #ifdef RELIEFBENCH_BENT_RAY
-        found.converged = has_left_patch(ray, found.s / (1.0 - fade));
+        found.converged = has_left_base(ray, found.s / (1.0 - fade));
+#elif defined(RELIEFBENCH_CURVED)
+        found.converged = has_left_base(view.entry + found.s / (1.0 - fade) * max_offset, max_offset);
 #else
         found.converged = has_left_patch(view.entry + found.s / (1.0 - fade) * max_offset, max_offset);
 #endif
@@ -116,7 +122,11 @@ void main() {
     }
     // Never negative, which would be a miss: parallel rays start on the polygon, where rounding decides the sign.
     hit.w = max(0.0, hit.w);
+#ifdef RELIEFBENCH_CURVED
+    if (!relief_repeats && !inside_base(hit.xy)) discard;
+#else
     if (!relief_repeats && !inside_patch(hit.xy)) discard;
+#endif
 #ifdef TEXTURE_BOUNDS_CLIP
     if (!inside_patch(hit.xy)) discard;
 #endif

@@ -29,7 +29,11 @@ const float tatarchuk_weights[tatarchuk_taps] = float[](1.0, 2.0, 4.0, 6.0, 8.0,
 const float tatarchuk_least = 0.4;
 
 // Nothing beyond the border of a clipped patch shadows it.
+#ifdef RELIEFBENCH_CURVED
+bool casts_shadow(vec2 uv) { return relief_repeats || inside_base(uv / scene.tiling); }
+#else
 bool casts_shadow(vec2 uv) { return relief_repeats || inside_patch(uv / scene.tiling); }
+#endif
 
 // More layers the lower the light stands (Dykhta 2013).
 float shadow_layers(vec3 to_light) {
@@ -68,6 +72,29 @@ float enter_relief_bent(ReliefRay ray, float s_point) {
 }
 #endif
 
+#ifdef RELIEFBENCH_CHARTS
+// Of a chart's border, which has any shape: how finely it is looked for.
+const int border_steps = 32;
+const int border_halvings = 8;
+
+// The same where the patch is a chart: from the point back to the light until it ends.
+float enter_chart(ReliefRay ray, float s_point) {
+    if (relief_repeats) return 0.0;
+    for (int i = 1; i <= border_steps; ++i) {
+        float s = s_point * (1.0 - float(i) / float(border_steps));
+        if (casts_shadow(point_on_ray(ray, s))) continue;
+        float inside = s_point * (1.0 - float(i - 1) / float(border_steps));
+        for (int halving = 0; halving < border_halvings; ++halving) {
+            float middle = 0.5 * (s + inside);
+            if (casts_shadow(point_on_ray(ray, middle))) inside = middle;
+            else s = middle;
+        }
+        return inside;
+    }
+    return 0.0;
+}
+#endif
+
 // The harness's own search from `s_first` towards the point, in uniform layers: whether the ray passes from above the
 // surface to beneath it before `s_end`.
 bool march_to_point(ReliefRay ray, float s_first, float s_point, float s_end) {
@@ -88,7 +115,9 @@ bool march_to_point(ReliefRay ray, float s_first, float s_point, float s_end) {
 float hard_visibility(ReliefRay ray, float s_point) {
     float s_end = s_point - self_shadow_bias;
     if (s_end <= 0.0) return 1.0;
-#ifdef RELIEFBENCH_BENT_RAY
+#ifdef RELIEFBENCH_CHARTS
+    float s_first = enter_chart(ray, s_point);
+#elif defined(RELIEFBENCH_BENT_RAY)
     float s_first = enter_relief_bent(ray, s_point);
 #else
     float s_first = enter_relief(ray, s_point);
