@@ -77,6 +77,7 @@ ViewAxis word_axis(std::string name, AxisDescription description, std::vector<st
 /// Makes an axis one that only some views have.
 template <typename HasUse>
 ViewAxis only_for(HasUse has_use, ViewAxis axis) {
+    axis.value_in_use = axis.value;
     axis.value = [has_use, value = std::move(axis.value)](const ViewKey& view) {
         return has_use(view) ? value(view) : Json();
     };

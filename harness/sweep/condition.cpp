@@ -37,7 +37,7 @@ Json read_view_value(const JsonView& view, const ViewAxis& axis) {
     setting(key);
     // A size can be asked for only where there is one.
     if (axis.name == "heightmap_size") return to_string(key.height_map.size);
-    return axis.value(key);
+    return axis.value_in_use ? axis.value_in_use(key) : axis.value(key);
 }
 
 /// Right for at least one technique that has the parameter.

@@ -39,6 +39,8 @@ struct ViewAxis {
     bool moves_hits = true;
     /// Ids and results have it in their word for the height map ("rock+albedo=a.png") and not by itself.
     bool part_of_height_map = false;
+    /// `value` of a view that is taken to have a use for the axis; empty where all have.
+    std::function<Json(const ViewKey&)> value_in_use = {};
 };
 
 /// In the order of ids and results; heightmap first.

@@ -314,6 +314,19 @@ std::string filter_message(const std::string& filter) {
     return error_message([&] { filtered({filter}); });
 }
 
+TEST(Filter, TakesValuesOfAxesThatOnlySomeViewsHave) {
+    const std::vector<Cell> cells = expand_text(R"({"techniques": ["plain"], "axes": {"heightmap": "rock",
+        "base": ["plane", "cylinder"], "curvature": [1, 2], "self_shadow": ["off", "soft"],
+        "soft_shadow": ["dykhta", "tatarchuk"]}})");
+    const auto left = [&](const std::string& filter) {
+        return filter_cells(cells, {filter}, fake_techniques()).size();
+    };
+    ASSERT_THAT(cells, SizeIs(9)) << "a plane and two cylinders, with three ways of shadows";
+    EXPECT_EQ(left("curvature=2"), 3U);
+    EXPECT_EQ(left("curvature>=1"), 6U);
+    EXPECT_EQ(left("soft_shadow=tatarchuk"), 3U);
+}
+
 TEST(Filter, KeepsCellsForWhichAllHold) {
     EXPECT_THAT(filtered({}), SizeIs(20));
     EXPECT_THAT(filtered({"technique=march,tree"}), SizeIs(16));
