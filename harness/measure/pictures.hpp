@@ -11,12 +11,12 @@
 
 namespace reliefbench {
 
-/// What a cell drew, and what it is compared with; both must outlive it.
+/// What a cell drew, and what it is compared with; all that it refers to must outlive it.
 struct DrawnCell {
     const Probe& probe;
     const Truth& truth;
     const HeightMap& map;
-    const Relief& relief;
+    Relief relief;
     /// Of the technique's shape (ShapeKind::draws_base).
     bool draws_base = false;
 };
