@@ -71,7 +71,11 @@ function panelCells(app: App, facet: string): [string, number[]][] {
     const title = facet === "view" ? viewLabel(cells, cell) : texts.join(" · ") || "–";
     const group = groups.get(title);
     if (group) group.members.push(cell);
-    else groups.set(title, { places: orders.map((order, at) => order.indexOf(values[at] ?? "")), members: [cell] });
+    else {
+      // A plane, which has no curvature, before what has one.
+      const places = orders.map((order, at) => order.indexOf(values[at] ?? ""));
+      groups.set(title, { places: facet === "view" ? [] : [texts.length, ...places], members: [cell] });
+    }
   }
   const before = (a: number[], b: number[]) => a.map((place, at) => place - b[at]!).find((by) => by !== 0) ?? 0;
   return [...groups]
