@@ -103,7 +103,7 @@ std::vector<Swatch> swatches_of(const PixelMapScale& scale) {
     if (scale.undefined == PixelMapScale::Undefined::coverage) {
         swatches.push_back({missed_colour, "missed"});
         swatches.push_back({false_hit_colour, "false hit"});
-        swatches.push_back({missed_outside_colour, "relief outside the footprint"});
+        swatches.push_back({missed_outside_colour, "relief outside the base"});
         swatches.push_back({tie_colour, "tie"});
     }
     const bool outside = scale.undefined == PixelMapScale::Undefined::outside;
