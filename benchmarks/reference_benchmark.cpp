@@ -1,6 +1,8 @@
-// The exact tracer beside Embree's rtcIntersect1 (robust) on the displaced mesh with one vertex per texel: the same
+// The exact tracers beside Embree's rtcIntersect1 (robust) on the displaced mesh with one vertex per texel: the same
 // 1024² height map, the same 1024² rays, two threads. Embree is called bare, without the filter by which MeshTracer
-// rejects what the sheet does not show, so that it is as fast as it can be.
+// rejects what the sheet does not show, so that it is as fast as it can be. On the sphere the mesh is an even grid of
+// vertices on texel centres of the unit square, displaced along the normals of the smooth sphere.
+#include "reference/curved_tracer.hpp"
 #include "reference/exact_tracer.hpp"
 #include "reference/vertex_grid.hpp"
 
@@ -8,15 +10,18 @@
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <ctime>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <thread>
 #include <utility>
@@ -49,9 +54,10 @@ View benchmark_view(Projection projection) {
 std::vector<Ray> view_rays(const View& view) {
     std::vector<Ray> rays;
     rays.reserve(resolution.pixels());
+    const PixelRays of_pixels = pixel_rays(view);
     for (int j = 0; j < resolution.height; ++j) {
         for (int i = 0; i < resolution.width; ++i)
-            rays.push_back(pixel_ray(view, i, j));
+            rays.push_back(of_pixels.at(i, j));
     }
     return rays;
 }
@@ -106,14 +112,18 @@ void set_up_exact(benchmark::State& state, const Scene& scene) {
 
 class EmbreeMesh {
 public:
-    EmbreeMesh(const Scene& scene, RTCGeometryType type)
+    /// place(vertices, grid) displaces the vertices, where that is not done as over the plane.
+    using Place = std::function<void(std::span<Vertex> vertices, const VertexGrid& grid)>;
+
+    EmbreeMesh(const Scene& scene, RTCGeometryType type, const Place& place = {})
         : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
         rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
         const VertexGrid grid = enclosing_grid(scene.map, scene.view.relief, {0, 0}, {1, 1}, 1);
         RTCGeometry geometry = rtcNewGeometry(device_, type);
         void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vertex),
                                                  grid.vertices());
-        displace(scene.map, scene.view.relief, grid, {static_cast<Vertex*>(vertices), grid.vertices()});
+        const std::span<Vertex> places(static_cast<Vertex*>(vertices), grid.vertices());
+        place ? place(places, grid) : displace(scene.map, scene.view.relief, grid, places);
         type == RTC_GEOMETRY_TYPE_GRID ? add_grid(geometry, grid) : add_triangles(geometry, grid);
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(scene_, geometry);
@@ -176,6 +186,24 @@ private:
     RTCScene scene_;
 };
 
+constexpr double sphere_curvature = 1;
+
+void place_on_sphere(const Scene& scene, std::span<Vertex> vertices, const VertexGrid& grid) {
+    for (std::size_t index = 0; index < vertices.size(); ++index) {
+        const auto columns = static_cast<std::size_t>(grid.columns);
+        const double column = grid.first_column + static_cast<double>(index % columns);
+        const double row = grid.first_row + static_cast<double>(index / columns);
+        const double u = std::clamp((column + 0.5) / map_size.width, 0.0, 1.0);
+        const double v = std::clamp((row + 0.5) / map_size.height, 0.0, 1.0);
+        const double way = std::max(std::hypot(u - 0.5, v - 0.5), 1e-12);
+        const double angle = sphere_curvature * way;
+        const double out = 1 / sphere_curvature + (scene.map.sample(u, v) - 1) * scene.view.relief.height_scale;
+        const double beside = out * std::sin(angle) / way;
+        vertices[index] = {static_cast<float>(beside * (u - 0.5)), static_cast<float>(beside * (v - 0.5)),
+                           static_cast<float>(out * std::cos(angle) - 1 / sphere_curvature)};
+    }
+}
+
 void trace_embree(benchmark::State& state, const Scene& scene, const EmbreeMesh& mesh) {
     std::size_t hits = 0;
     for (auto _ : state) {
@@ -202,8 +230,8 @@ struct Spent {
 
 /// Exact and Embree in turn within each iteration, so that whatever else the machine does falls on both alike: a speed
 /// above 1 means that the exact tracer is the faster one.
-void compare(benchmark::State& state, const Scene& scene, const EmbreeMesh& mesh) {
-    const ExactTracer tracer(scene.map, scene.view.relief);
+template <typename Tracer>
+void compare(benchmark::State& state, const Scene& scene, const Tracer& tracer, const EmbreeMesh& mesh) {
     Spent exact;
     Spent embree;
     for (auto _ : state) {
@@ -217,21 +245,46 @@ void compare(benchmark::State& state, const Scene& scene, const EmbreeMesh& mesh
     state.counters["speed_by_processor_time"] = embree.processor_seconds / exact.processor_seconds;
 }
 
+void add_benchmark(const std::string& name, std::function<void(benchmark::State&)> body) {
+    benchmark::RegisterBenchmark(name.c_str(), [body = std::move(body)](benchmark::State& state) { body(state); })
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
+}
+
 void register_scene(const std::shared_ptr<Scene>& scene, const std::string& name) {
     const auto add = [&](const std::string& what, std::function<void(benchmark::State&)> body) {
-        benchmark::RegisterBenchmark(fmt::format("{}/{}", what, name).c_str(),
-                                     [body = std::move(body)](benchmark::State& state) { body(state); })
-            ->Unit(benchmark::kMillisecond)
-            ->UseRealTime();
+        add_benchmark(fmt::format("{}/{}", what, name), std::move(body));
     };
     const auto triangles = std::make_shared<EmbreeMesh>(*scene, RTC_GEOMETRY_TYPE_TRIANGLE);
     const auto grid = std::make_shared<EmbreeMesh>(*scene, RTC_GEOMETRY_TYPE_GRID);
+    const auto tracer = std::make_shared<ExactTracer>(scene->map, scene->view.relief);
     add("exact_set_up", [=](benchmark::State& state) { set_up_exact(state, *scene); });
     add("exact", [=](benchmark::State& state) { trace_exact(state, *scene); });
     add("embree_triangles", [=](benchmark::State& state) { trace_embree(state, *scene, *triangles); });
     add("embree_grid", [=](benchmark::State& state) { trace_embree(state, *scene, *grid); });
-    add("exact_against_triangles", [=](benchmark::State& state) { compare(state, *scene, *triangles); });
-    add("exact_against_grid", [=](benchmark::State& state) { compare(state, *scene, *grid); });
+    add("exact_against_triangles", [=](benchmark::State& state) { compare(state, *scene, *tracer, *triangles); });
+    add("exact_against_grid", [=](benchmark::State& state) { compare(state, *scene, *tracer, *grid); });
+}
+
+/// Set up within its benchmark, as it takes seconds.
+void register_sphere(const std::string& map) {
+    const auto scene_of = [map] {
+        View view = benchmark_view(Projection::parallel);
+        view.relief.base = load_base({.kind = BaseSource::Kind::sphere, .curvature = sphere_curvature});
+        return Scene{benchmark_map(map), view, view_rays(view)};
+    };
+    add_benchmark(fmt::format("sphere_set_up/{}", map), [=](benchmark::State& state) {
+        const Scene scene = scene_of();
+        for (auto _ : state)
+            benchmark::DoNotOptimize(CurvedTracer(scene.map, scene.view.relief).pieces());
+    });
+    add_benchmark(fmt::format("sphere_against_triangles/{}", map), [=](benchmark::State& state) {
+        const Scene scene = scene_of();
+        const EmbreeMesh mesh(
+            scene, RTC_GEOMETRY_TYPE_TRIANGLE,
+            [&](std::span<Vertex> vertices, const VertexGrid& grid) { place_on_sphere(scene, vertices, grid); });
+        compare(state, scene, CurvedTracer(scene.map, scene.view.relief), mesh);
+    });
 }
 
 }  // namespace
@@ -247,6 +300,7 @@ int main(int argc, char** argv) {
                 reliefbench::Scene{reliefbench::benchmark_map(map), view, reliefbench::view_rays(view)});
             reliefbench::register_scene(scene, fmt::format("{}/{}", map, reliefbench::to_string(projection)));
         }
+        reliefbench::register_sphere(map);
     }
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
