@@ -76,9 +76,9 @@ public:
 
     const CurvedTracer& tracer() const { return tracer_; }
 
-    /// Calls trace(ray) for every pixel whose hit a truth has.
-    template <typename Trace>
-    void find_hits(const Trace& trace) {
+    /// Calls trace(ray) for every pixel whose hit a truth has; the exact hit by trace_exact(ray, hit), for ties.
+    template <typename Trace, typename TraceExact>
+    void find_hits(const Trace& trace, const TraceExact& trace_exact) {
         const Image<std::array<float, 2>> derivatives = height_derivatives(map_);
         for_each_pixel(view_.resolution, [&](int i, int j) {
             const Ray ray = rays_.at(i, j);
@@ -87,7 +87,9 @@ public:
             if (!entry && view_.relief.boundary == Boundary::repeat) return;
             const std::optional<CurvedHit> hit = trace(ray);
             if (hit) record(*hit, derivatives, i, j);
-            if (entry) truth_.footprint.at(i, j) = is_tie(ray, *entry) ? tie_in_footprint : in_footprint;
+            if (entry)
+                truth_.footprint.at(i, j) =
+                    is_tie(ray, *entry, trace_exact(ray, hit)) ? tie_in_footprint : in_footprint;
         });
     }
 
@@ -98,6 +100,12 @@ public:
             shade_hits(truth_.hits, truth_.light_visibility.fractions, truth_.curved->normals, albedo, view_, lighting);
         truth_.background = {static_cast<float>(lighting.background.r), static_cast<float>(lighting.background.g),
                              static_cast<float>(lighting.background.b)};
+        if (tracer_.folded_triangles() > 0) {
+            log_warning(
+                "a relief of height scale {} turns inside out over {} of the {} triangles of the base '{}': hits there "
+                "may be wrong; lower the height scale",
+                view_.relief.height_scale, tracer_.folded_triangles(), mesh_.triangles.size(), mesh_.name);
+        }
         if (tracer_.unresolved() > 0) {
             log_warning("the truth of '{}' over the base '{}' could not follow rays to full precision in {} places",
                         map_.name, mesh_.name, tracer_.unresolved());
@@ -119,10 +127,9 @@ private:
     }
 
     /// Of the surface itself, as over the plane: rays shifted along the entry's u and v.
-    bool is_tie(const Ray& ray, const MeshEntry& entry) const {
+    bool is_tie(const Ray& ray, const MeshEntry& entry, const std::optional<CurvedHit>& hit) const {
         const double columns = view_.relief.tiling * map_.width();
         const double rows = view_.relief.tiling * map_.height();
-        const std::optional<CurvedHit> hit = tracer_.trace(ray);
         const auto moves = [&](const glm::dvec3& shift) {
             const std::optional<CurvedHit> other = tracer_.trace({ray.origin + shift, ray.direction});
             if (!hit || !other) return hit.has_value() != other.has_value();
@@ -149,7 +156,8 @@ private:
 Truth trace_curved_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting) {
     const auto start = std::chrono::steady_clock::now();
     CurvedTruthTracer tracing(map, view);
-    tracing.find_hits([&](const Ray& ray) { return tracing.tracer().trace(ray); });
+    tracing.find_hits([&](const Ray& ray) { return tracing.tracer().trace(ray); },
+                      [](const Ray&, const std::optional<CurvedHit>& hit) { return hit; });
     Truth truth = tracing.finish(albedo, lighting);
     truth.trace_ms = milliseconds_since(start);
     return truth;
@@ -160,7 +168,8 @@ Truth trace_diced_truth(const HeightMap& map, const Albedo& albedo, const View& 
     const auto start = std::chrono::steady_clock::now();
     const DicedMesh mesh(map, view.relief, subdivision);
     CurvedTruthTracer tracing(map, view);
-    tracing.find_hits([&](const Ray& ray) { return mesh.trace(ray); });
+    tracing.find_hits([&](const Ray& ray) { return mesh.trace(ray); },
+                      [&](const Ray& ray, const std::optional<CurvedHit>&) { return tracing.tracer().trace(ray); });
     Truth truth = tracing.finish(albedo, lighting);
     truth.trace_ms = milliseconds_since(start);
     return truth;
