@@ -229,8 +229,9 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
     }
     std::string key = fmt::format("{} {}{}", probed ? "probed" : "timed", static_cast<int>(view.depth_write),
                                   compile_time_key(manifest, parameters));
-    const std::string of_pipeline = pipeline_of(manifest).preamble(manifest, parameters);
-    const std::string of_base = declare_base(drawn_base(manifest, view.relief.base));
+    const BaseSurface base = drawn_base(manifest, view.relief.base);
+    const std::string of_pipeline = pipeline_of(manifest).preamble(manifest, parameters, base);
+    const std::string of_base = declare_base(base);
     preamble += of_pipeline + of_base;
     key += of_pipeline + of_base;
 

@@ -1,5 +1,7 @@
 #include "patches.glsl"
+#ifndef RELIEFBENCH_CURVED
 #include "grid_shift.glsl"
+#endif
 
 #ifdef SPACING_FRACTIONAL_EVEN
 #define SPACING fractional_even_spacing
@@ -8,12 +10,18 @@
 #else
 #define SPACING equal_spacing
 #endif
-#ifdef DOMAIN_TRIANGLES
+#if defined(DOMAIN_TRIANGLES) || defined(RELIEFBENCH_CURVED)
 layout(triangles, SPACING, ccw) in;
 #else
 layout(quads, SPACING, ccw) in;
 #endif
 
+#ifdef RELIEFBENCH_CURVED
+void main() {
+    vec2 patch_uv = grid_coordinates();
+    emit_surface(patch_uv, tap_height(scene.tiling * patch_uv));
+}
+#else
 // The border of the patch stays where it is.
 vec2 on_texel_centres(vec2 grid) {
     vec2 shifted = grid + texel_centre_shift();
@@ -25,3 +33,4 @@ void main() {
     vec2 patch_uv = on_texel_centres(grid_coordinates());
     emit_surface(patch_uv, tap_height(scene.tiling * patch_uv));
 }
+#endif

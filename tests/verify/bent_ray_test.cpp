@@ -186,8 +186,8 @@ const std::vector<Case>& cases() {
                                  {"qdm", {}, 1e-4, 1e-4, 0},
                                  {"robust_cone", {}, 0.005, 0.004, 0.001},
                                  {"robust_cone", falling, 0.005, 0.004, 0.001},
-                                 {"cone_step", steps, 0.02, 0.4, 0.006},
-                                 {"quad_cone", steps, 0.02, 0.6, 0.012},
+                                 {"cone_step", steps, 0.04, 0.4, 0.006},
+                                 {"quad_cone", steps, 0.04, 0.6, 0.012},
                                  {"relaxed_cone", steps, 0.01, 0.02, 0.012},
                                  {"distance_map", slices, 0.05, stops_short, 0.001}};
     }();

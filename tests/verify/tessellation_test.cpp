@@ -129,6 +129,76 @@ TEST_F(Tessellation, CoversTheReliefOutsideTheQuad) {
     }
 }
 
+View view_of_base(BaseSource::Kind kind, double curvature, int segments) {
+    View view = perspective_view(50, -70);
+    view.relief.base = load_base({.kind = kind, .curvature = curvature, .segments = segments});
+    view.resolution = {96, 96};
+    return view;
+}
+
+// In depth and in normals, which those of a facet would be far from.
+TEST_F(Tessellation, OverACurvedBaseConvergesToTheTruth) {
+    const CoordinateScene scene(device(), procedural("waves", {64, 64}));
+    for (const BaseSource::Kind kind :
+         {BaseSource::Kind::cylinder, BaseSource::Kind::sphere, BaseSource::Kind::saddle}) {
+        const View view = view_of_base(kind, 1.5, 16);
+        const auto errors_at = [&](std::int64_t factor) {
+            return compare("tessellation", {{"factor", factor}}, scene, view).errors;
+        };
+        // One segment for each side of four texels, and one for each texel.
+        const HitErrors coarse = errors_at(16);
+        const HitErrors fine = errors_at(64);
+        EXPECT_LT(fine.depth->p95, coarse.depth->p95 / 4);
+        EXPECT_LT(fine.uv_texels->p95, 0.2);
+        EXPECT_LT(fine.normal_deg->p95, 1);
+        EXPECT_LT(fine.missed + fine.false_hits, 0.01);
+        EXPECT_GT(fine.compared, 2000U);
+    }
+}
+
+/// Misses between hits on both sides.
+std::size_t cracks(const Probe& probe) {
+    const HitImage& hits = probe.hits;
+    std::size_t count = 0;
+    for (int j = 1; j + 1 < hits.size.height; ++j) {
+        for (int i = 1; i + 1 < hits.size.width; ++i) {
+            const auto hit = [&](int x, int y) { return hits.at(i + x, j + y).is_hit(); };
+            count += !hit(0, 0) && ((hit(-1, 0) && hit(1, 0)) || (hit(0, -1) && hit(0, 1))) ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+/// Large triangles, near enough that factors differ much.
+View view_of_curved_seams(BaseSource::Kind kind) {
+    View view = view_of_base(kind, 1, 5);
+    view.camera.view_angle = 35;
+    view.camera.distance = 0.7;
+    view.relief.height_scale = 0.1;
+    view.resolution = {192, 192};
+    return view;
+}
+
+TEST_F(Tessellation, SidesOfTrianglesOfACurvedBaseHaveNoHoles) {
+    const CoordinateScene scene(device(), procedural("rock", {96, 96}));
+    const std::vector<BaseSource::Kind> kinds{BaseSource::Kind::sphere, BaseSource::Kind::saddle};
+    for (ParameterValues cut : ways_to_cut()) {
+        if (cut.at("domain") == ParameterValue(std::string("quads"))) continue;
+        cut.erase("domain");
+        cut.erase("patches");
+        cut["factor"] = std::int64_t{64};
+        for (const BaseSource::Kind kind : kinds)
+            EXPECT_EQ(cracks(compare("tessellation", cut, scene, view_of_curved_seams(kind)).probe), 0U);
+    }
+    const BrokenCopy copy("tessellation", "control.tesc", "0.5 * (vertex_position[a] + vertex_position[b])",
+                          "vertex_position[0]");
+    const ParameterValues torn =
+        with_values(copy.technique().manifest,
+                    {{"factor_by", std::string("distance")}, {"near_distance", 0.3}, {"far_distance", 1.2}});
+    EXPECT_GT(cracks(compare_with_truth(device(), copy.technique(), torn, scene, view_of_curved_seams(kinds[0])).probe),
+              5U);
+}
+
 TEST_F(Tessellation, SeamsHaveNoHoles) {
     const CoordinateScene scene(device(), procedural("rock", {32, 32}));
     for (const ParameterValues& cut : ways_to_cut())

@@ -3,7 +3,7 @@
 
 // What tessellation stages share: patch corners in, surface points out. A patch has `patch_corners` of them. Those of a
 // quad are in the order (0,0), (1,0), (0,1), (1,1) of gl_TessCoord; those of a triangle, whose weights gl_TessCoord has,
-// go counterclockwise as seen from above.
+// go counterclockwise as seen from above. Over a base that is not flat patches are its triangles.
 
 #include "answer_range.glsl"
 #include "scene.glsl"
@@ -15,9 +15,24 @@ layout(vertices = patch_corners) out;
 
 layout(location = 0) in vec2 vertex_corner[];
 layout(location = 0) out vec2 control_corner[];
+#ifdef RELIEFBENCH_CURVED
+layout(location = 1) in vec3 vertex_position[];  // in the world, on the base
+layout(location = 2) in vec3 vertex_normal[];    // unit vectors
+layout(location = 3) in int vertex_triangle[];
+layout(location = 1) out vec3 control_position[];
+layout(location = 2) out vec3 control_normal[];
+layout(location = 3) out int control_triangle[];
+#endif
 
 // For each invocation of the control stage.
-void pass_corner() { control_corner[gl_InvocationID] = vertex_corner[gl_InvocationID]; }
+void pass_corner() {
+    control_corner[gl_InvocationID] = vertex_corner[gl_InvocationID];
+#ifdef RELIEFBENCH_CURVED
+    control_position[gl_InvocationID] = vertex_position[gl_InvocationID];
+    control_normal[gl_InvocationID] = vertex_normal[gl_InvocationID];
+    control_triangle[gl_InvocationID] = vertex_triangle[gl_InvocationID];
+#endif
+}
 
 // The loops that lead to a factor have ended when it is set: a stage that does not count itself is counted here.
 void set_tessellation_factor(float factor) {
@@ -70,6 +85,13 @@ float pixels_across(vec3 centre, float diameter) {
 #ifdef RELIEFBENCH_EVALUATION
 layout(location = 0) in vec2 control_corner[];
 layout(location = 0) out vec3 surface;  // u, v, h
+#ifdef RELIEFBENCH_CURVED
+layout(location = 1) in vec3 control_position[];
+layout(location = 2) in vec3 control_normal[];
+layout(location = 3) in int control_triangle[];
+layout(location = 1) out vec3 surface_position;
+layout(location = 2) flat out int surface_triangle;
+#endif
 
 // Patch coordinates of this vertex on the even grid of the patches. Two patches get the same ones, bit for bit, for a
 // vertex on the side between them: products and sums as written, terms of the side in either order, all others zero.
@@ -86,9 +108,29 @@ vec2 grid_coordinates() {
     return grid;
 }
 
+#ifdef RELIEFBENCH_CURVED
+// Of the base at this vertex, with the same bits from both triangles at a side, as grid_coordinates.
+vec3 between_corners(vec3 first, vec3 second, vec3 third) {
+    precise vec3 between = gl_TessCoord.x * first + gl_TessCoord.y * second + gl_TessCoord.z * third;
+    return between;
+}
+
+// Over the base at this vertex, wherever `patch_uv` says that h is from.
+vec3 surface_point(vec2 patch_uv, float h) {
+    precise vec3 normal = normalize(between_corners(control_normal[0], control_normal[1], control_normal[2]));
+    precise vec3 point = between_corners(control_position[0], control_position[1], control_position[2]) +
+                         ((h - 1.0) * scene.height_scale) * normal;
+    return point;
+}
+#endif
+
 // Ends the evaluation stage of one vertex.
 void emit_surface(vec2 patch_uv, float h) {
     surface = vec3(patch_uv, h);
+#ifdef RELIEFBENCH_CURVED
+    surface_position = surface_point(patch_uv, h);
+    surface_triangle = control_triangle[0];
+#endif
     gl_Position = scene.clip_from_world * vec4(surface_point(patch_uv, h), 1.0);
 #ifdef RELIEFBENCH_PROBED
     uint bits;

@@ -43,7 +43,7 @@ struct DrawPipeline {
     /// Of the device, beside those of the manifest.
     std::vector<std::string> features;
     /// Put in front of each stage; what it says is part of the key that compilations are kept by. May be empty.
-    std::string (*preamble)(const Manifest& manifest, const ParameterValues& parameters);
+    std::string (*preamble)(const Manifest& manifest, const ParameterValues& parameters, const BaseSurface& base);
     /// Why this device cannot draw the view so, beside missing features; empty when it can.
     std::string (*unsupported)(const gpu::Device& device, const DrawnView& drawn);
     /// Of a view that is not unsupported.

@@ -5,7 +5,8 @@ namespace reliefbench {
 
 namespace {
 
-std::string raster_preamble(const Manifest& /*manifest*/, const ParameterValues& /*parameters*/) {
+std::string raster_preamble(const Manifest& /*manifest*/, const ParameterValues& /*parameters*/,
+                            const BaseSurface& /*base*/) {
     return {};
 }
 

@@ -11,7 +11,8 @@ constexpr std::uint64_t vertices_per_prism = 3ULL * 4 * 3;
 /// The vertices of a draw are counted in 32 bits.
 constexpr std::uint64_t max_prisms = (std::uint64_t{1} << 31) / vertices_per_prism;
 
-std::string shell_preamble(const Manifest& /*manifest*/, const ParameterValues& /*parameters*/) {
+std::string shell_preamble(const Manifest& /*manifest*/, const ParameterValues& /*parameters*/,
+                           const BaseSurface& /*base*/) {
     return {};
 }
 

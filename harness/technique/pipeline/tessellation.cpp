@@ -1,3 +1,4 @@
+#include "technique/base_on_device.hpp"
 #include "technique/pipeline/draw_pipeline.hpp"
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@ constexpr double max_patches = 1 << 22;
 /// Vulkan's minimum, and the most that technique.json can ask for.
 constexpr int tessellation_factor = 64;
 constexpr std::uint32_t quad_corners = 4;
+constexpr std::uint32_t triangle_corners = 3;
 
 /// PatchGrid before its numbers are known to be integers of 32 bits.
 struct RealGrid {
@@ -40,8 +42,11 @@ RealGrid real_grid(const DrawnView& drawn) {
     return grid;
 }
 
-std::string tessellation_preamble(const Manifest& manifest, const ParameterValues& parameters) {
-    return fmt::format("const int patch_corners = {};\n", manifest.shape.patch_corners(parameters));
+std::string tessellation_preamble(const Manifest& manifest, const ParameterValues& parameters,
+                                  const BaseSurface& base) {
+    const std::uint32_t corners =
+        is_flat(base) ? static_cast<std::uint32_t>(manifest.shape.patch_corners(parameters)) : triangle_corners;
+    return fmt::format("const int patch_corners = {};\n", corners);
 }
 
 std::string unsupported_tessellation(const gpu::Device& device, const DrawnView& drawn) {
@@ -52,8 +57,17 @@ std::string unsupported_tessellation(const gpu::Device& device, const DrawnView&
     if (device.info().max_tessellation_factor < tessellation_factor)
         return fmt::format("{} cuts sides of patches into at most {} segments; {} are needed", device.info().name,
                            device.info().max_tessellation_factor, tessellation_factor);
-    const RealGrid grid = real_grid(drawn);
-    const double patches = grid.count.x * grid.count.y;
+    double patches = 0;
+    if (is_flat(drawn.view.relief.base)) {
+        const RealGrid grid = real_grid(drawn);
+        patches = grid.count.x * grid.count.y;
+    } else {
+        if (drawn.manifest.shape.triangles_with.empty())
+            return "its patches are quads; those of a base that is not flat are triangles";
+        const BaseMesh& mesh = curved_base(drawn.view.relief.base);
+        if (std::string too_large = unsupported_mesh(device, mesh); !too_large.empty()) return too_large;
+        patches = static_cast<double>(mesh.triangles.size());
+    }
     if (patches <= max_patches) return {};
     return fmt::format("the view would take {:.3g} patches, more than {:.0f}", patches, max_patches);
 }
@@ -63,7 +77,22 @@ std::string unsupported_tessellation(const gpu::Device& device, const DrawnView&
 /// grows with the square of a draw's vertices: 16 such patches took five times as long in draws of 15 as in draws of 4.
 constexpr std::uint32_t patches_per_call_on_cpu = 4;
 
+/// The same of a mesh's triangles, which are many and mostly cut into few segments: at the largest factor, of 2,145
+/// vertices each, so many stay below 16 bits.
+constexpr std::uint32_t triangles_per_call_on_cpu = 16;
+
+DrawGeometry mesh_geometry(const gpu::Device& device, const BaseMesh& mesh) {
+    const auto vertices = static_cast<std::uint32_t>(triangle_corners * mesh.triangles.size());
+    const bool on_cpu = device.info().type == gpu::DeviceType::cpu;
+    return {.vertices = vertices,
+            .vertices_per_call = on_cpu ? triangles_per_call_on_cpu * triangle_corners : vertices,
+            .topology = vk::PrimitiveTopology::ePatchList,
+            .cull = vk::CullModeFlagBits::eBack,
+            .patch_vertices = triangle_corners};
+}
+
 DrawGeometry tessellation_geometry(const gpu::Device& device, const DrawnView& drawn) {
+    if (!is_flat(drawn.view.relief.base)) return mesh_geometry(device, curved_base(drawn.view.relief.base));
     const RealGrid real = real_grid(drawn);
     const PatchGrid grid{glm::ivec2(real.per_side), glm::ivec2(real.first), glm::ivec2(real.count)};
     const auto corners = static_cast<std::uint32_t>(drawn.manifest.shape.patch_corners(drawn.parameters));
