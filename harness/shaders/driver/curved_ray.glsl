@@ -159,6 +159,19 @@ bool has_left_base(vec2 patch_uv, vec2 way) {
 #endif
 }
 
+#ifdef RELIEFBENCH_BENT_RAY
+// The same in the frame that has turned with the base, to first order, from the entry to texture coordinates `uv`; below
+// the horizon there it has none, and is false.
+bool turned_offset(vec3 to_eye, vec2 uv, out vec2 offset) {
+    vec3 way = way_over_base(to_eye);
+    vec2 from_entry = uv / scene.tiling - curved_entry.uv;
+    float rise = way.z + dot(from_entry, curved_entry.fall * way.xy);
+    vec2 along = way.xy - way.z * (curved_entry.shape * from_entry);
+    offset = -scene.tiling * scene.height_scale / rise * along;
+    return rise > 0.0;
+}
+#endif
+
 // S as the entry knows it, in its tangent plane: off the ray, the distance along the ray is that of this point.
 vec3 surface_point(vec2 patch_uv, float h) {
     vec2 way = patch_uv - curved_entry.uv;

@@ -188,6 +188,9 @@ float visibility_of_light(vec3 to_light, vec2 uv, float h, ReliefRay view_ray) {
     ReliefRay ray = plane_ray(uv - s_point * max_offset, max_offset, to_light, view_ray.uv_dx, view_ray.uv_dy,
                               view_ray.level);
 #endif
+#if defined(RELIEFBENCH_BENT_RAY) && defined(RELIEFBENCH_CURVED)
+    if (self_shadow == self_shadow_hard && !turned_offset(to_light, uv, ray.straight_offset)) return 0.0;
+#endif
 #ifdef RELIEFBENCH_BENT_RAY
     // The published soft ones know straight rays.
     if (self_shadow == self_shadow_hard && !bend_light_ray(ray, uv, h, s_point)) return 0.0;
