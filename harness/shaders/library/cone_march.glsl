@@ -107,14 +107,16 @@ ConeSearch search_cones(ReliefRay ray, int most_steps, float added) {
         // pixels side by side does it for all of them at once.
         bool may_have_passed = false;
 #ifdef RELIEFBENCH_BENT_RAY
-        while (end.gap > contact && end.s < far_end && steps < most_steps && !may_have_passed) {
+        while (end.gap > contact && end.s < far_end && steps < most_steps && !may_have_passed)
+#else
+        while (end.gap > contact && steps < most_steps && !may_have_passed)
+#endif
+        {
             start = end;
             steps += 1;
+#ifdef RELIEFBENCH_BENT_RAY
             float along_cone = way_in_cone(ray, start);
 #else
-        while (end.gap > contact && steps < most_steps && !may_have_passed) {
-            start = end;
-            steps += 1;
             float along_cone = start.gap * start.cone.y / (start.cone.y + speed);
 #endif
             float least = least_step(ray, start.s);

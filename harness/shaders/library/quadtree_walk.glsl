@@ -53,10 +53,11 @@ bool walk_to_leaf(CellRay ray, sampler2D tree, int leaf_level, int top_level, in
         if (walk.tree_level == leaf_level) return true;
         float top = tap_map_texel(tree, walk.node.index, walk.tree_level).r;
 #ifdef RELIEFBENCH_BENT_RAY
-        if (lowest_between(ray.relief, walk.place.s, walk.node.exit) < top) {
+        if (lowest_between(ray.relief, walk.place.s, walk.node.exit) < top)
 #else
-        if (height_of_ray(ray.relief, walk.node.exit) < top) {
+        if (height_of_ray(ray.relief, walk.node.exit) < top)
 #endif
+        {
             walk.place = move_within(ray, walk.place, walk.node, max(walk.place.s, s_at_height(ray.relief, top)));
             walk.tree_level -= 1;
         } else {
