@@ -7,6 +7,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 namespace reliefbench {
 namespace {
 
@@ -87,6 +89,18 @@ TEST(Charts, OneThatMeetsItselfAlongASeamHasAPeriod) {
     mesh.vertices.back().uv.x = 1.25f;
     find_charts(mesh);
     EXPECT_THAT(mesh.chart_periods, ElementsAre(glm::vec2(0)));
+}
+
+TEST(Charts, ASeamMayBeRoundedDifferentlyOnBothSides) {
+    BaseMesh mesh = closed_cylinder(12, 4, 3);
+    for (std::size_t row = 0; row <= 4; ++row) {
+        MeshVertex& end = mesh.vertices[13 * row + 12];
+        end.position.z += 1e-8f;
+        end.normal = {0, std::cos(1e-7f), std::sin(1e-7f)};
+    }
+    find_charts(mesh);
+    EXPECT_THAT(mesh.chart_periods, ElementsAre(glm::vec2(3, 0)));
+    EXPECT_EQ(count_torn_sides(mesh), 0U);
 }
 
 TEST(ChartGrid, FindsTheTriangleOverEachPoint) {

@@ -1,6 +1,7 @@
 #include "scene/surface/charts.hpp"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
@@ -16,7 +17,27 @@ namespace {
 /// A chart this many times as long as its seam says has no period: it overlaps itself, or the seam is no seam.
 constexpr float max_periods_of_chart = 4;
 
-/// Which vertices are alike: in position alone, or in all that they have.
+/// What programs that write meshes round differently on both sides of a seam: of positions by the mesh's size, and of
+/// normals.
+constexpr float position_rounding = 0x1p-20f;
+constexpr float normal_rounding = 1e-5f;
+
+bool is_same_normal(const glm::vec3& a, const glm::vec3& b) {
+    return glm::length(a - b) <= normal_rounding;
+}
+
+float size_of(const BaseMesh& mesh) {
+    glm::vec3 low(std::numeric_limits<float>::infinity());
+    glm::vec3 high = -low;
+    for (const MeshVertex& vertex : mesh.vertices) {
+        low = glm::min(low, vertex.position);
+        high = glm::max(high, vertex.position);
+    }
+    const glm::vec3 size = high - low;
+    return std::max({size.x, size.y, size.z});
+}
+
+/// Which vertices are alike: in position alone and up to rounding, or in all that they have.
 std::vector<std::uint32_t> alike(const BaseMesh& mesh, bool in_position_alone) {
     using Key = std::array<float, 8>;
     struct Hash {
@@ -31,9 +52,11 @@ std::vector<std::uint32_t> alike(const BaseMesh& mesh, bool in_position_alone) {
     first_of.reserve(mesh.vertices.size());
     std::vector<std::uint32_t> first;
     first.reserve(mesh.vertices.size());
+    const float step = in_position_alone ? position_rounding * size_of(mesh) : 0;
     for (const MeshVertex& vertex : mesh.vertices) {
+        const glm::vec3 place = step > 0 ? glm::round(vertex.position / step) : vertex.position;
         // + 0 makes −0 the same.
-        Key key{vertex.position.x + 0, vertex.position.y + 0, vertex.position.z + 0};
+        Key key{place.x + 0, place.y + 0, place.z + 0};
         if (!in_position_alone) {
             key[3] = vertex.normal.x + 0;
             key[4] = vertex.normal.y + 0;
@@ -106,7 +129,7 @@ glm::vec2 period_of_seam(const BaseMesh& mesh, const ChartSide& a, const ChartSi
     for (std::size_t end = 0; end < 2; ++end) {
         const MeshVertex& here = mesh.vertices[a.vertices[end]];
         const MeshVertex& there = mesh.vertices[b.vertices[end]];
-        if (here.normal != there.normal) return glm::vec2(0);
+        if (!is_same_normal(here.normal, there.normal)) return glm::vec2(0);
         steps[end] = glm::abs(there.uv - here.uv);
     }
     const float rounding = 1e-5f * std::max({1.0f, steps[0].x, steps[0].y});
@@ -163,7 +186,7 @@ std::size_t count_torn_sides(const BaseMesh& mesh) {
     std::size_t torn = 0;
     for_each_pair(sorted_sides(mesh, alike(mesh, true)), [&](const ChartSide& a, const ChartSide& b) {
         const auto differs = [&](std::size_t end) {
-            return mesh.vertices[a.vertices[end]].normal != mesh.vertices[b.vertices[end]].normal;
+            return !is_same_normal(mesh.vertices[a.vertices[end]].normal, mesh.vertices[b.vertices[end]].normal);
         };
         if (differs(0) || differs(1)) ++torn;
     });
