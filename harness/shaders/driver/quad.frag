@@ -46,14 +46,9 @@ bool has_left_base(ReliefRay ray, float s) {
 layout(depth_greater) out float gl_FragDepth;
 #endif
 
-void main() {
-    ViewRay view = view_ray(gl_FragCoord.xy);
 #ifdef RELIEFBENCH_CURVED
-    if (!enter_base(view, triangle_index)) {
-        // Seen from behind its normals, though not from behind its facet.
-        count_pixel(scene.resolution, gl_FragCoord.xy, 0, true);
-        discard;
-    }
+// Of a ray that has entered the base.
+void draw_relief(ViewRay view) {
     float t_per_s = scene.height_scale / -way_over_base(view.direction).z;
     vec2 offset = curved_offset(-view.direction);
 #ifdef GRAZING_LIMIT
@@ -66,6 +61,8 @@ void main() {
     ReliefRay ray = curved_ray(scene.tiling * view.entry, offset, -view.direction, uv_dx, uv_dy,
                                footprint_level(uv_dx, uv_dy));
 #else
+void main() {
+    ViewRay view = view_ray(gl_FragCoord.xy);
     float t_per_s = scene.height_scale / -view.direction.z;
     vec2 max_offset = view.direction.xy * t_per_s;
 #ifdef GRAZING_LIMIT
@@ -163,3 +160,18 @@ void main() {
     write_surface(hit, view.direction, found.flat_normal, visibility);
 #endif
 }
+
+#ifdef RELIEFBENCH_CURVED
+void main() {
+    ViewRay view = view_ray(gl_FragCoord.xy);
+    // In a branch, not past a discard: a device may run a fragment's neighbours beside the triangle with it, for which no
+    // buffer is read, and their searches, of no numbers, would go on until its loops are ended.
+    if (enter_base(view, triangle_index)) {
+        draw_relief(view);
+    } else {
+        // Seen from behind its normals, though not from behind its facet.
+        count_pixel(scene.resolution, gl_FragCoord.xy, 0, true);
+        discard;
+    }
+}
+#endif

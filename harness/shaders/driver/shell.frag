@@ -50,21 +50,8 @@ vec3 relief_normal(int index, vec2 patch_uv) {
                      cross(triangle.along_u + slope.x * normal, triangle.along_v + slope.y * normal));
 }
 
-void main() {
-    ViewRay view = view_ray(gl_FragCoord.xy);
-    Tetrahedron tetrahedron = shell_tetrahedron(tetrahedron_index);
-    vec3 corner = tetrahedron.corners[0].position;
-    mat3 to_weights = inverse(mat3(tetrahedron.corners[1].position - corner, tetrahedron.corners[2].position - corner,
-                                   tetrahedron.corners[3].position - corner));
-    // From near the tetrahedron, so that little is lost to the eye's distance.
-    float t_start = dot(corner - view.origin, view.direction);
-    vec3 inner = to_weights * (view.origin + t_start * view.direction - corner);
-    vec3 inner_per_length = to_weights * view.direction;
-    vec4 weights = vec4(1.0 - inner.x - inner.y - inner.z, inner);
-    vec4 per_length = vec4(-inner_per_length.x - inner_per_length.y - inner_per_length.z, inner_per_length);
-    Crossed crossed = cross_tetrahedron(tetrahedron, weights, per_length);
-    // The rasteriser may draw what the ray passes by.
-    if (crossed.first > crossed.last) crossed.first = crossed.last;
+// The piece of the ray from `start` on, where the corners' weights are `weights`.
+void draw_piece(ViewRay view, Tetrahedron tetrahedron, vec4 weights, vec4 per_length, float t_start, Crossed crossed) {
     float first = crossed.first - overlap;
     float length_inside = crossed.last + overlap - first;
 
@@ -91,4 +78,27 @@ void main() {
     vec4 clip = scene.clip_from_world * vec4(view.origin + t * view.direction, 1.0);
     gl_FragDepth = max(clip.z / clip.w, gl_FragCoord.z);
     write_surface(hit, view.direction, relief_normal(tetrahedron_index / tetrahedra_per_prism, hit.xy), vec3(1.0));
+}
+
+void main() {
+    ViewRay view = view_ray(gl_FragCoord.xy);
+    Tetrahedron tetrahedron = shell_tetrahedron(tetrahedron_index);
+    vec3 corner = tetrahedron.corners[0].position;
+    mat3 to_weights = inverse(mat3(tetrahedron.corners[1].position - corner, tetrahedron.corners[2].position - corner,
+                                   tetrahedron.corners[3].position - corner));
+    // From near the tetrahedron, so that little is lost to the eye's distance.
+    float t_start = dot(corner - view.origin, view.direction);
+    vec3 inner = to_weights * (view.origin + t_start * view.direction - corner);
+    vec3 inner_per_length = to_weights * view.direction;
+    vec4 weights = vec4(1.0 - inner.x - inner.y - inner.z, inner);
+    vec4 per_length = vec4(-inner_per_length.x - inner_per_length.y - inner_per_length.z, inner_per_length);
+    Crossed crossed = cross_tetrahedron(tetrahedron, weights, per_length);
+    // The rasteriser may draw what the ray passes by; and a device may run a fragment's neighbours with it, for which no
+    // buffer is read: no numbers are false here.
+    if (crossed.first <= crossed.last + 2.0 * overlap) {
+        draw_piece(view, tetrahedron, weights, per_length, t_start, crossed);
+    } else {
+        count_pixel(scene.resolution, gl_FragCoord.xy, 0, true);
+        discard;
+    }
 }
