@@ -213,7 +213,7 @@ TEST(Schema, AgreesWithTheParserAboutValues) {
 
 TEST(ShippedConfigurations, ConformToTheSchema) {
     const Json root = schema();
-    for (const char* name : {"smoke.json", "quick.json", "curved.json", "quality_vs_cost.json"}) {
+    for (const char* name : {"smoke.json", "quick.json", "curved.json", "curved_cost.json", "quality_vs_cost.json"}) {
         EXPECT_THAT(schema_complaints(root, root, read_json_file(configs / name)), IsEmpty()) << name;
     }
 }
@@ -245,7 +245,7 @@ TEST(ShippedConfigurations, QuickHasAtLeastSixtyCellsAndBothProjections) {
 
 /// Along texel rows the surface is straight within each cell, which flatters refinements.
 TEST(ShippedConfigurations, SeeTheReliefOffItsAxes) {
-    for (const char* name : {"smoke.json", "quick.json", "curved.json", "quality_vs_cost.json"}) {
+    for (const char* name : {"smoke.json", "quick.json", "curved.json", "curved_cost.json", "quality_vs_cost.json"}) {
         for (const Cell& cell : expand_shipped(name)) {
             const Camera& camera = cell.view.view.camera;
             if (camera.projection == Projection::perspective || camera.view_angle == 0) continue;
@@ -255,7 +255,7 @@ TEST(ShippedConfigurations, SeeTheReliefOffItsAxes) {
 }
 
 TEST(ShippedConfigurations, QualityVersusCostAndCurvedSkipNothing) {
-    for (const char* name : {"curved.json", "quality_vs_cost.json"}) {
+    for (const char* name : {"curved.json", "curved_cost.json", "quality_vs_cost.json"}) {
         for (const Cell& cell : expand_shipped(name))
             EXPECT_EQ(cell.skip_reason, "") << cell.id;
     }
