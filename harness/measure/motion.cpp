@@ -117,6 +117,12 @@ bool step_all(std::vector<FollowedCell>& cells, const GoesOn& goes_on, const Ste
     return true;
 }
 
+TruthFrame frame_of(const Truth& truth, const Camera& camera) {
+    TruthFrame frame{camera, truth.hits, truth.footprint};
+    if (truth.curved) frame.charts.emplace(truth.curved->entry_triangles, truth.curved->off_chart);
+    return frame;
+}
+
 /// All cells that have not failed yet, through every frame. False when told to end.
 bool follow_frames(SharedInputs& inputs, const ViewKey& view, const Configuration& configuration,
                    std::vector<FollowedCell>& cells, const GoesOn& goes_on) {
@@ -137,8 +143,7 @@ bool follow_frames(SharedInputs& inputs, const ViewKey& view, const Configuratio
                              .first = first,
                              .second = second,
                              .camera = camera,
-                             .motion = follow_truth({camera, first.hits, first.footprint},
-                                                    {next, second.hits, second.footprint}, seen.relief)};
+                             .motion = follow_truth(frame_of(first, camera), frame_of(second, next), seen.relief)};
         if (!step_all(cells, goes_on, [&](FollowedCell& cell) { cell.follow(pair, next); })) return false;
         held = std::move(second);
     }

@@ -1,6 +1,7 @@
 #include "metrics/compared_hits.hpp"
 
 #include "scene/shading_normal.hpp"
+#include "scene/surface/charts.hpp"
 
 #include <cassert>
 
@@ -16,9 +17,7 @@ glm::dvec3 to_vector(const std::array<float, 3>& normal) {
 
 glm::dvec2 ComparedHits::chart_period(std::size_t pixel) const {
     if (!curved) return glm::dvec2(0);
-    const BaseMesh& mesh = curved_base(relief.base);
-    const std::uint32_t triangle = curved->entry_triangles.texels[pixel];
-    return triangle < mesh.charts.size() ? glm::dvec2(mesh.chart_periods[mesh.charts[triangle]]) : glm::dvec2(0);
+    return reliefbench::chart_period(curved_base(relief.base), curved->entry_triangles.texels[pixel]);
 }
 
 ShadingNormals::ShadingNormals(const ComparedHits& hits) : hits_(hits) {

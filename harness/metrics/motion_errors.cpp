@@ -3,6 +3,7 @@
 #include "core/parallel.hpp"
 #include "core/statistics.hpp"
 #include "metrics/pixel_errors.hpp"
+#include "scene/surface/charts.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -88,8 +89,7 @@ Landing land(glm::dvec2 position, glm::dvec3 point, double tolerance, const Trut
         const int x = landing.x + (right ? 1 : 0);
         const int y = landing.y + (below ? 1 : 0);
         if (x < 0 || x >= frame.hits.size.width || y < 0 || y >= frame.hits.size.height) continue;
-        same[i] = frame.footprint.at(x, y) == in_footprint && frame.hits.at(x, y).is_hit() &&
-                  glm::distance(points.at(x, y), point) <= tolerance;
+        same[i] = frame.is_compared(frame.hits.index(x, y)) && glm::distance(points.at(x, y), point) <= tolerance;
         if (!same[i]) continue;
         weights[i] = (right ? fraction.x : 1 - fraction.x) * (below ? fraction.y : 1 - fraction.y);
         sum += weights[i];
@@ -143,8 +143,12 @@ std::optional<HitDifference> landed_difference(const Landing& landing, const Hit
             nearest_hits = hits;
         }
         if (!hits) continue;
-        sum.add(difference(hit, truth.at(x, y)), weight);
-        sum.add(offset, -static_cast<double>(weight));
+        HitDifference change = difference(hit, truth.at(x, y));
+        change.add(offset, -1);
+        const glm::dvec2 way = shortest_way({change.u, change.v}, glm::dvec2(landing.chart_period));
+        change.u = way.x;
+        change.v = way.y;
+        sum.add(change, weight);
         weights += weight;
     }
     if (!nearest_hits) return std::nullopt;
@@ -227,21 +231,25 @@ TruthMotion follow_truth(const TruthFrame& first, const TruthFrame& second, cons
     parallel_for(static_cast<std::size_t>(size.height), rows_per_task, [&](std::size_t begin, std::size_t end) {
         for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
             for (int x = 0; x < size.width; ++x) {
-                const Hit& hit = first.hits.at(x, y);
-                if (first.footprint.at(x, y) != in_footprint || !hit.is_hit()) continue;
+                const std::size_t pixel = first.hits.index(x, y);
+                if (!first.is_compared(pixel)) continue;
                 const glm::dvec3 point = first_points.at(x, y);
                 const auto position = second_points.rays().project(point);
                 const double tolerance = same_surface_spacings * spacing.at(x, y);
                 if (!position || std::isinf(tolerance)) continue;
                 const bool in_picture =
                     position->x > -1 && position->x < size.width && position->y > -1 && position->y < size.height;
-                if (in_picture) motion.landings.at(x, y) = land(*position, point, tolerance, second, second_points);
+                if (!in_picture) continue;
+                Landing& landing = motion.landings.texels[pixel];
+                landing = land(*position, point, tolerance, second, second_points);
+                if (first.charts)
+                    landing.chart_period =
+                        chart_period(curved_base(relief.base), first.charts->entry_triangles.texels[pixel]);
             }
         }
     });
     for (std::size_t pixel = 0; pixel < size.pixels(); ++pixel) {
-        const bool shown = first.footprint.texels[pixel] == in_footprint && first.hits.texels[pixel].is_hit();
-        motion.unseen += shown && !motion.landings.texels[pixel].is_seen() ? 1 : 0;
+        motion.unseen += first.is_compared(pixel) && !motion.landings.texels[pixel].is_seen() ? 1 : 0;
     }
     return motion;
 }

@@ -6,19 +6,37 @@
 #include "scene/hit.hpp"
 #include "scene/relief.hpp"
 
+#include <glm/vec2.hpp>
+
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace reliefbench {
 
+/// Of a base that is not flat, by pixel (CurvedHits).
+struct FrameCharts {
+    const Image<std::uint32_t>& entry_triangles;
+    const Image<std::uint8_t>& off_chart;
+};
+
 /// One frame of the truth while the camera moves.
 struct TruthFrame {
     const Camera& camera;
     const HitImage& hits;
     const FootprintImage& footprint;
+    /// Empty where the base is flat.
+    std::optional<FrameCharts> charts = {};
+
+    /// Whether pixels of the frame are compared: in F, hit by the truth, no tie, and on the chart that the ray enters
+    /// by, without which coordinates do not tell how far apart hits are.
+    bool is_compared(std::size_t pixel) const {
+        return footprint.texels[pixel] == in_footprint && hits.texels[pixel].is_hit() &&
+               !(charts && charts->off_chart.texels[pixel] != 0);
+    }
 };
 
 /// Where the surface point that the truth shows in a pixel of one frame lies in the next.
@@ -29,6 +47,8 @@ struct Landing {
     /// Bilinear, of the pixels (x, y), (x+1, y), (x, y+1), (x+1, y+1), summing to 1; 0 for pixels in which the truth
     /// shows another surface. All 0 where the point is not seen in the next frame.
     std::array<float, 4> weights{};
+    /// After how much of u, and of v, the chart that the point lies on meets itself again; 0 where it does not.
+    glm::vec2 chart_period{0, 0};
 
     bool is_seen() const { return weights[0] + weights[1] + weights[2] + weights[3] > 0; }
 };
@@ -37,21 +57,22 @@ struct TruthMotion {
     /// By pixel of the first frame.
     Image<Landing> landings;
     /// Truth hits in F of the first frame whose point the second does not show: hidden now, or out of F or the picture,
-    /// or a tie there.
+    /// or a tie or on another chart than its entry there.
     std::size_t unseen = 0;
 };
 
-/// Follows each truth hit in F of the first frame that is no tie into the second, in double. A pixel there shows the
-/// same surface if it is in F, no tie, and its truth hit is within twice the distance of neighbouring truth hits around
-/// the pixel that the point comes from (on the nearer side, so that an edge does not count). The point is seen if the
-/// pixel nearest to where it lands shows the same surface.
+/// Follows each truth hit of the first frame that is compared (TruthFrame::is_compared) into the second, in double. A
+/// pixel there shows the same surface if it is compared, too, and its truth hit is within twice the distance of
+/// neighbouring truth hits around the pixel that the point comes from (on the nearer side, so that an edge does not
+/// count). The point is seen if the pixel nearest to where it lands shows the same surface.
 TruthMotion follow_truth(const TruthFrame& first, const TruthFrame& second, const Relief& relief);
 
 /// What a technique does between two frames that the truth does not.
 struct MotionChange {
     /// Length of the change of the UV error vector (technique's hit − truth's, in texels) of each pixel in which the
     /// point is seen in both frames and the technique hits in both. The second frame's vector is interpolated
-    /// bilinearly among the pixels that show the same surface, so that an error that does not change gives 0.
+    /// bilinearly among the pixels that show the same surface, so that an error that does not change gives 0. Where the
+    /// chart has a period the change goes the shortest way.
     std::vector<double> texels;
     /// Pixels in which the point is seen in both frames and the technique hits in one only.
     std::size_t hit_once = 0;

@@ -1,5 +1,7 @@
 #include "metrics/pixel_errors.hpp"
 
+#include "scene/surface/charts.hpp"
+
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -7,23 +9,15 @@
 
 namespace reliefbench {
 
-namespace {
-
-double shortest(double difference, double period) {
-    return period > 0 ? std::remainder(difference, period) : difference;
-}
-
-}  // namespace
-
 bool is_finite_hit(const Hit& hit) {
     return hit.is_hit() && std::isfinite(hit.u) && std::isfinite(hit.v) && std::isfinite(hit.t);
 }
 
 double uv_error(const Hit& technique, const Hit& truth, const HeightMap& map, const Relief& relief,
                 const glm::dvec2& period) {
-    const double du = shortest(static_cast<double>(technique.u) - truth.u, period.x);
-    const double dv = shortest(static_cast<double>(technique.v) - truth.v, period.y);
-    return std::hypot(du * relief.tiling * map.width(), dv * relief.tiling * map.height());
+    const glm::dvec2 way =
+        shortest_way({static_cast<double>(technique.u) - truth.u, static_cast<double>(technique.v) - truth.v}, period);
+    return std::hypot(way.x * relief.tiling * map.width(), way.y * relief.tiling * map.height());
 }
 
 double depth_error(const Hit& technique, const Hit& truth) {

@@ -6,6 +6,7 @@
 #include "reference/pixel_loop.hpp"
 #include "reference/ties.hpp"
 #include "scene/shading_normal.hpp"
+#include "scene/surface/charts.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -133,8 +134,12 @@ private:
         const auto moves = [&](const glm::dvec3& shift) {
             const std::optional<CurvedHit> other = tracer_.trace({ray.origin + shift, ray.direction});
             if (!hit || !other) return hit.has_value() != other.has_value();
-            return std::hypot((hit->hit.u - other->hit.u) * columns, (hit->hit.v - other->hit.v) * rows) >
-                   tie_jump_texels;
+            // On the border of its chart: a technique that stays on it has an answer of the one ray and not of the
+            // other.
+            if (mesh_.charts[hit->triangle] != mesh_.charts[other->triangle]) return true;
+            const glm::dvec2 way = shortest_way({hit->hit.u - other->hit.u, hit->hit.v - other->hit.v},
+                                                chart_period(mesh_, hit->triangle));
+            return std::hypot(way.x * columns, way.y * rows) > tie_jump_texels;
         };
         const glm::dvec3 along_u = entry.entry.frame.along_u * (tie_shift_texels / columns);
         const glm::dvec3 along_v = entry.entry.frame.along_v * (tie_shift_texels / rows);

@@ -26,7 +26,7 @@ struct Image {
     Texel& at(int x, int y) { return texels[index(x, y)]; }
     const Texel& at(int x, int y) const { return texels[index(x, y)]; }
 
-private:
+    /// Of `texels`.
     std::size_t index(int x, int y) const {
         assert(x >= 0 && x < size.width && y >= 0 && y < size.height);
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);

@@ -269,6 +269,40 @@ TEST(MotionChanges, CountWhatIsHitInOneFrameOnly) {
     EXPECT_TRUE(change.texels.empty());
 }
 
+TEST(MotionChanges, GoTheShortestWayRoundAChartAndLeaveOutOtherCharts) {
+    const Pair pair(Projection::parallel);
+    auto mesh = std::make_shared<BaseMesh>();
+    mesh->charts = {0};
+    mesh->chart_periods = {glm::vec2(2, 0)};
+    Relief relief = pair.relief;
+    relief.base = {MeshBase{mesh}};
+    const Image<std::uint32_t> entries(resolution, 0);
+    const auto follow = [&](const Image<std::uint8_t>& first, const Image<std::uint8_t>& second) {
+        TruthFrame before = pair.first.truth();
+        TruthFrame after = pair.second.truth();
+        before.charts.emplace(entries, first);
+        after.charts.emplace(entries, second);
+        return follow_truth(before, after, relief);
+    };
+    const Image<std::uint8_t> on_chart(resolution, 0);
+    const Image<std::uint8_t> off_chart(resolution, 1);
+    const TruthMotion motion = follow(on_chart, on_chart);
+    // The technique goes on past the seam in the first frame only, and half a texel too far in the second.
+    const HitImage first = pair.first.wrong_by([](const Hit&, int, int) { return glm::dvec2(2 * map_size, 0); });
+    const HitImage second = pair.second.wrong_by([](const Hit&, int, int) { return glm::dvec2(0.5, 0); });
+    const MotionChange change =
+        compare_frames(motion.landings, pair.first.hits, pair.second.hits, first, second, some_map(), relief);
+    EXPECT_GT(change.texels.size(), 400U);
+    for (const double texels : change.texels)
+        EXPECT_NEAR(texels, 0.5, rounding_texels);
+
+    EXPECT_EQ(follow(off_chart, on_chart).unseen, 0U) << "as of ties nothing is asked of them";
+    const TruthMotion lost = follow(on_chart, off_chart);
+    EXPECT_GT(lost.unseen, 400U);
+    for (const Landing& landing : lost.landings.texels)
+        EXPECT_FALSE(landing.is_seen());
+}
+
 TEST(MotionFigures, AreMeansOverPairsAndTheLargest) {
     MotionFigures figures;
     EXPECT_FALSE(figures.values());

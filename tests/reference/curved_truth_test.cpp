@@ -3,6 +3,8 @@
 #include "reference/diced_mesh.hpp"
 #include "reference/truth.hpp"
 #include "scene/shading_normal.hpp"
+#include "scene/surface/charts.hpp"
+#include "support/closed_cylinder.hpp"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -60,6 +62,7 @@ BaseSurface base_of(std::vector<MeshVertex> vertices, std::vector<std::uint32_t>
     for (std::uint32_t triangle = 0; triangle < charts.size(); ++triangle)
         mesh->triangles.push_back({3 * triangle, 3 * triangle + 1, 3 * triangle + 2});
     mesh->charts = std::move(charts);
+    mesh->chart_periods.resize(mesh->triangles.size(), glm::vec2(0));
     return {MeshBase{std::move(mesh)}};
 }
 
@@ -257,6 +260,38 @@ TEST(CurvedTruth, WhatLiesOnAnotherChartThanTheEntryIsMarked) {
         off_chart += truth.curved->off_chart.texels[pixel];
     }
     EXPECT_GT(off_chart, 5);
+}
+
+TEST(CurvedTruth, TheSeamOfAChartThatMeetsItselfIsNoTie) {
+    BaseMesh mesh = closed_cylinder(64, 1);
+    for (MeshVertex& vertex : mesh.vertices) {
+        // The seam uppermost.
+        const auto turn = [](glm::vec3 v) { return glm::vec3(v.x, -v.z, v.y); };
+        vertex.position = turn(vertex.position);
+        vertex.normal = turn(vertex.normal);
+    }
+    find_charts(mesh);
+    ASSERT_EQ(mesh.chart_periods, std::vector{glm::vec2(1, 0)});
+    const HeightMap map = hills(16);
+    // Whose middle row looks down on the seam.
+    View view = view_of({MeshBase{std::make_shared<const BaseMesh>(mesh)}}, 0, {33, 33});
+    view.camera.azimuth = -90;
+    const auto ties_in_middle = [&] {
+        const Truth truth = truth_of(map, view);
+        int hits = 0;
+        int ties = 0;
+        for (int i = 0; i < view.resolution.width; ++i) {
+            hits += truth.hits.at(i, 16).is_hit() ? 1 : 0;
+            ties += truth.footprint.at(i, 16) == tie_in_footprint ? 1 : 0;
+        }
+        EXPECT_GT(hits, 20);
+        return ties;
+    };
+    EXPECT_EQ(ties_in_middle(), 0);
+    // Without its period the two sides of the seam are far apart.
+    mesh.chart_periods = {glm::vec2(0)};
+    view.relief.base = {MeshBase{std::make_shared<const BaseMesh>(mesh)}};
+    EXPECT_GT(ties_in_middle(), 20);
 }
 
 TEST(CurvedTruth, AReliefThatFillsTheBaseIsHitWhereItIsEntered) {

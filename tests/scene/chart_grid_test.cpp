@@ -1,9 +1,9 @@
 #include "scene/surface/chart_grid.hpp"
 
-#include "closed_cylinder.hpp"
 #include "core/random.hpp"
 #include "scene/surface/charts.hpp"
 #include "scene/surface/generated_base.hpp"
+#include "support/closed_cylinder.hpp"
 
 #include <gmock/gmock.h>
 

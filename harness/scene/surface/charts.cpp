@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <unordered_map>
@@ -180,6 +181,17 @@ void find_charts(BaseMesh& mesh) {
         mesh.charts[triangle] = first == triangle ? charts++ : mesh.charts[first];
     }
     find_chart_periods(mesh, charts);
+}
+
+glm::dvec2 chart_period(const BaseMesh& mesh, std::uint32_t triangle) {
+    return triangle < mesh.charts.size() ? glm::dvec2(mesh.chart_periods[mesh.charts[triangle]]) : glm::dvec2(0);
+}
+
+glm::dvec2 shortest_way(glm::dvec2 difference, glm::dvec2 period) {
+    for (int axis = 0; axis < 2; ++axis) {
+        if (period[axis] > 0) difference[axis] = std::remainder(difference[axis], period[axis]);
+    }
+    return difference;
 }
 
 std::size_t count_torn_sides(const BaseMesh& mesh) {
