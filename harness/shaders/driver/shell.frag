@@ -15,8 +15,9 @@ layout(depth_greater) out float gl_FragDepth;
 
 Trace trace_shell(ShellRay ray);
 
-// By which a piece goes on past the tetrahedron's faces, in sides of the patch: what single precision loses of places.
-const float overlap = 1e-6;
+// By which a piece goes on past the tetrahedron's faces: what single precision loses of places, as a fraction of the
+// coordinates that they come from.
+const float relative_overlap = 5e-7;
 
 // Within a tetrahedron, distances from `start`.
 struct Crossed {
@@ -42,16 +43,18 @@ Crossed cross_tetrahedron(Tetrahedron tetrahedron, vec4 weights, vec4 per_length
     return crossed;
 }
 
-vec3 relief_normal(int index, vec2 patch_uv) {
+vec3 surface_normal(int index, vec2 patch_uv, bool is_flat) {
     BaseTriangle triangle = base_triangle(index);
     vec3 normal = normalize(linear_normal(triangle, patch_uv));
+    if (is_flat) return normal;
     vec2 slope = surface_slope(patch_uv);
     return normalize(triangle.handedness *
                      cross(triangle.along_u + slope.x * normal, triangle.along_v + slope.y * normal));
 }
 
-// The piece of the ray from `start` on, where the corners' weights are `weights`.
-void draw_piece(ViewRay view, Tetrahedron tetrahedron, vec4 weights, vec4 per_length, float t_start, Crossed crossed) {
+// The piece of the ray from `start` on, where the corners' weights are `weights`; it goes on past both ends by `overlap`.
+void draw_piece(ViewRay view, vec4 weights, vec4 per_length, float t_start, Crossed crossed, float overlap,
+                Tetrahedron tetrahedron) {
     float first = crossed.first - overlap;
     float length_inside = crossed.last + overlap - first;
 
@@ -65,8 +68,10 @@ void draw_piece(ViewRay view, Tetrahedron tetrahedron, vec4 weights, vec4 per_le
 #endif
     Trace found = trace_shell(ray);
 #ifdef RELIEFBENCH_PROBED
-    uint bits = floatBitsToUint(found.s);
-    uint fault = found.kind == trace_on_ray && !answer_is_in_unit_range(found.s) ? answer_fault_s : answer_fault_none;
+    // An answer beside the ray has no s, which is not a number then.
+    uint bits = found.kind == trace_off_ray ? 0x7fc00000u : floatBitsToUint(found.s);
+    bool has_s = found.kind != trace_off_ray && answer_is_in_unit_range(found.s);
+    uint fault = found.kind == trace_miss || has_s ? answer_fault_none : answer_fault_s;
     if (fault == answer_fault_none) fault = answer_fault_of_steps(found.steps, bits);
     if (fault != answer_fault_none) count_fault(scene.resolution, gl_FragCoord.xy, fault, bits);
 #endif
@@ -77,7 +82,8 @@ void draw_piece(ViewRay view, Tetrahedron tetrahedron, vec4 weights, vec4 per_le
     vec4 hit = vec4(point_on_ray(ray, found.s) / scene.tiling, clamp(height_of_ray(ray, found.s), 0.0, 1.0), max(0.0, t));
     vec4 clip = scene.clip_from_world * vec4(view.origin + t * view.direction, 1.0);
     gl_FragDepth = max(clip.z / clip.w, gl_FragCoord.z);
-    write_surface(hit, view.direction, relief_normal(tetrahedron_index / tetrahedra_per_prism, hit.xy), vec3(1.0));
+    vec3 normal = surface_normal(tetrahedron_index / tetrahedra_per_prism, hit.xy, found.flat_normal);
+    write_surface(hit, view.direction, normal, vec3(1.0));
 }
 
 void main() {
@@ -93,10 +99,11 @@ void main() {
     vec4 weights = vec4(1.0 - inner.x - inner.y - inner.z, inner);
     vec4 per_length = vec4(-inner_per_length.x - inner_per_length.y - inner_per_length.z, inner_per_length);
     Crossed crossed = cross_tetrahedron(tetrahedron, weights, per_length);
+    float overlap = relative_overlap * (length(view.origin) + length(corner));
     // The rasteriser may draw what the ray passes by; and a device may run a fragment's neighbours with it, for which no
     // buffer is read: no numbers are false here.
     if (crossed.first <= crossed.last + 2.0 * overlap) {
-        draw_piece(view, tetrahedron, weights, per_length, t_start, crossed);
+        draw_piece(view, weights, per_length, t_start, crossed, overlap, tetrahedron);
     } else {
         count_pixel(scene.resolution, gl_FragCoord.xy, 0, true);
         discard;
