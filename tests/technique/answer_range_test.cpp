@@ -103,7 +103,7 @@ TEST_F(AnswerRange, TheWorstPixelIsNamed) {
     ASSERT_EQ(found.faults.size(), 5u);
     EXPECT_EQ(worst_fault(found.faults).pixel, (PixelPlace{5, 2}));
     EXPECT_THAT(reason_of_faults(found.faults, 32),
-                AllOf(HasSubstr("5 of 32 pixels"), HasSubstr("s = -2.5 at pixel (5, 2)"), HasSubstr("[0, 1]")));
+                AllOf(HasSubstr("5 of 32 pixels"), HasSubstr("s = -2.5 at pixel (5, 2)"), HasSubstr("[0, s_end]")));
 }
 
 TEST_F(AnswerRange, WhatIsNotFiniteIsTheWorst) {

@@ -70,6 +70,12 @@ TEST_P(ShippedTechnique, KeepsItsPromises) {
     const Technique technique = shipped(GetParam());
     std::set<std::string> seen;
     for (const Check& check : verify_technique(device(), technique)) {
+        if (check.skipped) {
+            // Over the plane a shell ends with its patch: there is nothing to repeat.
+            EXPECT_EQ(technique.manifest.shape.kind, "shell") << check.name << ": " << check.detail;
+            EXPECT_EQ(check.drawn.value().where.view.relief.boundary, Boundary::repeat) << check.detail;
+            continue;
+        }
         seen.insert(check.name);
         EXPECT_TRUE(check.passed) << check.name << " {" << check.circumstances << "} " << check.detail;
     }

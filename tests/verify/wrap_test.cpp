@@ -107,6 +107,8 @@ TEST_P(Wrap, IsNoWorseThanTheSameContentWithoutOne) {
     for (const ParameterValues& setting : settings_of(technique.manifest)) {
         const ParameterValues values = measured_in_the_scene(setting);
         for (const Boundary boundary : {Boundary::clip, Boundary::repeat}) {
+            // Over the plane it ends with its patch.
+            if (technique.manifest.shape.kind == "shell" && boundary == Boundary::repeat) continue;
             for (View view : {parallel_view(70, -67), perspective_view(60, 25)}) {
                 view.relief.boundary = boundary;
                 const TruthComparison expected =
