@@ -19,6 +19,9 @@ Trace trace_shell(ShellRay ray);
 // coordinates that they come from.
 const float relative_overlap = 5e-7;
 
+// Beyond any.
+const float no_distance = 1e30;
+
 // Within a tetrahedron, distances from `start`.
 struct Crossed {
     float first;
@@ -28,7 +31,7 @@ struct Crossed {
 
 // In barycentric coordinates, which change linearly along the ray: inside, none of them is negative.
 Crossed cross_tetrahedron(Tetrahedron tetrahedron, vec4 weights, vec4 per_length) {
-    Crossed crossed = Crossed(-1e30, 1e30, false);
+    Crossed crossed = Crossed(-no_distance, no_distance, false);
     for (int i = 0; i < 4; ++i) {
         if (per_length[i] == 0.0) continue;
         float t = -weights[i] / per_length[i];
@@ -101,8 +104,9 @@ void main() {
     Crossed crossed = cross_tetrahedron(tetrahedron, weights, per_length);
     float overlap = relative_overlap * (length(view.origin) + length(corner));
     // The rasteriser may draw what the ray passes by; and a device may run a fragment's neighbours with it, for which no
-    // buffer is read: no numbers are false here.
-    if (crossed.first <= crossed.last + 2.0 * overlap) {
+    // buffer is read: their weights are no numbers, and set neither end.
+    bool is_crossed = crossed.first > -no_distance && crossed.first <= crossed.last + 2.0 * overlap;
+    if (is_crossed) {
         draw_piece(view, weights, per_length, t_start, crossed, overlap, tetrahedron);
     } else {
         count_pixel(scene.resolution, gl_FragCoord.xy, 0, true);
