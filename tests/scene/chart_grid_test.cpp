@@ -91,6 +91,40 @@ TEST(Charts, OneThatMeetsItselfAlongASeamHasAPeriod) {
     EXPECT_THAT(mesh.chart_periods, ElementsAre(glm::vec2(0)));
 }
 
+TEST(Charts, CoverTheUnitSquareWhereTheyEndOnItsBorderOnly) {
+    const BaseMesh whole = generate_base({.kind = BaseSource::Kind::saddle, .segments = 5});
+    const auto covers = [](BaseMesh mesh) {
+        find_charts(mesh);
+        return mesh.is_unit_square;
+    };
+    EXPECT_TRUE(covers(whole));
+    BaseMesh turned = whole;
+    for (MeshVertex& vertex : turned.vertices)
+        vertex.uv.x = 1 - vertex.uv.x;
+    EXPECT_TRUE(covers(turned));
+    BaseMesh with_hole = whole;
+    with_hole.triangles.erase(with_hole.triangles.begin() + 24);
+    EXPECT_FALSE(covers(with_hole));
+    BaseMesh smaller = whole;
+    BaseMesh beyond = whole;
+    for (std::size_t vertex = 0; vertex < whole.vertices.size(); ++vertex) {
+        smaller.vertices[vertex].uv *= 0.99F;
+        beyond.vertices[vertex].uv += 0.125F;
+    }
+    EXPECT_FALSE(covers(smaller));
+    EXPECT_FALSE(covers(beyond));
+    EXPECT_FALSE(covers(closed_cylinder(12, 4))) << "it goes on past the square's side";
+    BaseMesh twice = whole;
+    const auto first = static_cast<std::uint32_t>(whole.vertices.size());
+    for (MeshVertex vertex : whole.vertices) {
+        vertex.position.z += 1;
+        twice.vertices.push_back(vertex);
+    }
+    for (const BaseMesh::Triangle& triangle : whole.triangles)
+        twice.triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
+    EXPECT_FALSE(covers(twice)) << "two charts";
+}
+
 TEST(Charts, ASeamMayBeRoundedDifferentlyOnBothSides) {
     BaseMesh mesh = closed_cylinder(12, 4, 3);
     for (std::size_t row = 0; row <= 4; ++row) {

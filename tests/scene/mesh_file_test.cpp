@@ -68,6 +68,7 @@ TEST(MeshFile, AGeneratedBaseComesBackBitForBit) {
             EXPECT_EQ(read.triangles, mesh.triangles);
             EXPECT_EQ(read.charts, mesh.charts);
             EXPECT_EQ(read.chart_periods, mesh.chart_periods);
+            EXPECT_TRUE(read.is_unit_square);
             EXPECT_EQ(read.scale, 1);
             EXPECT_THAT(read.warnings, IsEmpty());
         }

@@ -165,6 +165,35 @@ void find_chart_periods(BaseMesh& mesh, std::uint32_t charts) {
     });
 }
 
+/// Of a mesh that has its charts. Where a chart ends on the square's border only, it lies over every point of the
+/// square equally often, as its triangles all turn alike: its area says how often.
+bool covers_unit_square(const BaseMesh& mesh) {
+    if (mesh.chart_periods.size() != 1 || mesh.chart_periods.front() != glm::vec2(0)) return false;
+    const auto is_in_square = [](const MeshVertex& vertex) {
+        return vertex.uv.x >= 0 && vertex.uv.x <= 1 && vertex.uv.y >= 0 && vertex.uv.y <= 1;
+    };
+    double area = 0;
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+        area += chart_area(mesh, triangle);
+        for (const std::uint32_t corner : mesh.triangles[triangle])
+            if (!is_in_square(mesh.vertices[corner])) return false;
+    }
+    if (std::abs(std::abs(area) - 1) > 0.5) return false;
+    const std::vector<ChartSide> sides = sorted_sides(mesh, alike(mesh, false));
+    const auto is_on_border = [&](const ChartSide& side) {
+        const glm::vec2 from = mesh.vertices[side.vertices[0]].uv;
+        const glm::vec2 to = mesh.vertices[side.vertices[1]].uv;
+        return (from.x == to.x && (to.x == 0 || to.x == 1)) || (from.y == to.y && (to.y == 0 || to.y == 1));
+    };
+    for (auto first = sides.begin(); first != sides.end();) {
+        const auto next =
+            std::find_if(first, sides.end(), [&](const ChartSide& side) { return side.ends != first->ends; });
+        if (next - first > 2 || (next - first == 1 && !is_on_border(*first))) return false;
+        first = next;
+    }
+    return true;
+}
+
 }  // namespace
 
 void find_charts(BaseMesh& mesh) {
@@ -181,6 +210,7 @@ void find_charts(BaseMesh& mesh) {
         mesh.charts[triangle] = first == triangle ? charts++ : mesh.charts[first];
     }
     find_chart_periods(mesh, charts);
+    mesh.is_unit_square = covers_unit_square(mesh);
 }
 
 glm::dvec2 chart_period(const BaseMesh& mesh, std::uint32_t triangle) {

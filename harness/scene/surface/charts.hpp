@@ -9,7 +9,7 @@
 
 namespace reliefbench {
 
-/// Sets `charts` and `chart_periods` of a mesh that has its vertices and triangles. Triangles are of one chart where
+/// Sets `charts`, `chart_periods` and `is_unit_square` of a mesh that has its vertices and triangles. Triangles are of one chart where
 /// they share a side with the same positions, normals and (u, v) at both ends and (u, v) turn the same way on them, so
 /// that a chart nowhere folds over. Charts are numbered in the order of their first triangles.
 void find_charts(BaseMesh& mesh);
