@@ -116,14 +116,14 @@ Preparation Laboratory::prepare_maps(Renderer& renderer, const LaboratoryCallbac
     return renderer.prepare(settings);
 }
 
-/// Why the cell cannot be made on this machine; empty where it can. Nothing is loaded for it.
+/// Why the cell cannot be made on this machine; empty where it can. Nothing but the base is loaded for it.
 std::string Laboratory::refusal(const Technique& technique, const Cell& cell) const {
     const gpu::Device& device = inputs_.device();
     const InputSizes sizes = input_sizes(cell.view.height_map);
-    const std::string unsupported =
-        unsupported_reason(device, technique, cell.parameters, inputs_.view(cell.view), sizes.height_map);
+    const View view = inputs_.view(cell.view);
+    const std::string unsupported = unsupported_reason(device, technique, cell.parameters, view, sizes.height_map);
     if (!unsupported.empty()) return unsupported;
-    MemoryNeed need = cell_need(technique, cell, sizes, configuration_);
+    MemoryNeed need = cell_need(technique, cell, view.relief.base, sizes, configuration_);
     if (!inputs_.has_map(cell.view)) need = with_inputs(need, sizes, cell.view.height_format);
     return lacking_memory(device, "the cell", need);
 }

@@ -5,8 +5,10 @@
 #include "reference/relief_pieces.hpp"
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace reliefbench {
 
@@ -51,27 +53,45 @@ constexpr std::uint64_t host_diced_facet = 200;
 /// By pixel: normals, entries, charts, and the hits in double.
 constexpr std::uint64_t host_curved_pixel = 80;
 
-/// Of the triangles of generated bases; of a file's nothing is known before it is read.
-std::uint64_t curved_truth_need(const Cell& cell, const InputSizes& sizes, const TruthSettings& truth) {
-    const BaseSource& base = cell.view.base;
-    const double side = base.is_generated() ? base.segments : 0;
-    const double tiling = cell.view.view.relief.tiling;
-    const double cells = static_cast<double>(texels(sizes.height_map)) * tiling * tiling;
-    // Its triangles' sides cut cells along three directions.
-    const double cut = side * tiling * (sizes.height_map.width + sizes.height_map.height) * 2;
-    const double triangles = 2 * side * side;
-    const double pieces = std::min(cells + cut + triangles, max_relief_pieces) + triangles;
+/// What the triangles of a base make of the height map: in texels, once for each time that a chart lies over them.
+struct BaseInTexels {
+    double area = 0;
+    /// Cells that the triangles' sides cut, once for each triangle.
+    double cut = 0;
+};
+
+BaseInTexels base_in_texels(const BaseMesh& mesh, Resolution map, double tiling) {
+    BaseInTexels sum;
+    const glm::dvec2 texels_of_patch = glm::dvec2(map.width, map.height) * tiling;
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+        const BaseMesh::Triangle& corners = mesh.triangles[triangle];
+        const glm::dvec2 a(mesh.vertices[corners[0]].uv);
+        const glm::dvec2 b(mesh.vertices[corners[1]].uv);
+        const glm::dvec2 c(mesh.vertices[corners[2]].uv);
+        const glm::dvec2 extent = (glm::max(glm::max(a, b), c) - glm::min(glm::min(a, b), c)) * texels_of_patch;
+        sum.area += std::abs(chart_area(mesh, triangle)) * texels_of_patch.x * texels_of_patch.y;
+        sum.cut += extent.x + extent.y;
+    }
+    return sum;
+}
+
+std::uint64_t curved_truth_need(const View& view, const BaseMesh& mesh, Resolution map, const TruthSettings& truth) {
+    const BaseInTexels base = base_in_texels(mesh, map, view.relief.tiling);
+    const auto triangles = static_cast<double>(mesh.triangles.size());
+    const double pieces = std::min(base.area + base.cut + triangles, max_relief_pieces) + triangles;
     double bytes = pieces * host_relief_piece + triangles * host_base_triangle;
     if (truth.kind == TruthSettings::Kind::mesh) {
         const double subdivision = truth.subdivision;
-        bytes += (2 * cells * subdivision * subdivision + 2 * cut * subdivision + triangles) * host_diced_facet;
+        bytes +=
+            (2 * base.area * subdivision * subdivision + 2 * base.cut * subdivision + triangles) * host_diced_facet;
     }
-    return static_cast<std::uint64_t>(bytes) + texels(cell.view.view.resolution) * host_curved_pixel +
-           texels(sizes.height_map) * host_truth_texel * 2;
+    return static_cast<std::uint64_t>(bytes) + texels(view.resolution) * host_curved_pixel +
+           texels(map) * host_truth_texel * 2;
 }
 
-std::uint64_t truth_need(const Cell& cell, const InputSizes& sizes, const TruthSettings& truth) {
-    if (!cell.view.base.is_flat()) return curved_truth_need(cell, sizes, truth);
+std::uint64_t truth_need(const Cell& cell, const BaseSurface& base, const InputSizes& sizes,
+                         const TruthSettings& truth) {
+    if (!is_flat(base)) return curved_truth_need(cell.view.view, curved_base(base), sizes.height_map, truth);
     const std::uint64_t tracer = texels(sizes.height_map) * host_truth_texel;
     if (truth.kind != TruthSettings::Kind::mesh) return tracer;
     const double per_side = cell.view.view.relief.tiling * truth.subdivision;
@@ -94,12 +114,15 @@ MemoryNeed loading_need(const InputSizes& sizes, HeightFormat format) {
             heights * (format_bytes(format) + device_derivatives) + albedo * device_albedo + uploaded * device_upload};
 }
 
-MemoryNeed cell_need(const Technique& technique, const Cell& cell, const InputSizes& sizes,
+MemoryNeed cell_need(const Technique& technique, const Cell& cell, const BaseSurface& base, const InputSizes& sizes,
                      const Configuration& configuration) {
     const std::uint64_t pixels = texels(cell.view.view.resolution);
-    const std::uint64_t host = host_pixel + (configuration.motion ? host_motion_pixel : 0);
-    return {pixels * host + truth_need(cell, sizes, configuration.truth),
-            pixels * device_pixel + derived_map_bytes(technique, cell.parameters, sizes.height_map)};
+    const std::uint64_t curved = is_flat(base) ? 0 : host_curved_pixel;
+    const std::uint64_t host = host_pixel + (configuration.motion ? host_motion_pixel + curved : 0);
+    const std::uint64_t triangles = is_flat(base) ? 0 : base_bytes(curved_base(base));
+    // What the device has of the triangles is gathered here first.
+    return {pixels * host + truth_need(cell, base, sizes, configuration.truth) + triangles,
+            pixels * device_pixel + derived_map_bytes(technique, cell.parameters, sizes.height_map) + triangles};
 }
 
 MemoryNeed with_inputs(MemoryNeed cell, const InputSizes& sizes, HeightFormat format) {

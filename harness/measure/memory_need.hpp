@@ -27,8 +27,8 @@ InputSizes input_sizes(const HeightMapSource& source);
 /// To load a height map with its albedo and to put them on the device.
 MemoryNeed loading_need(const InputSizes& sizes, HeightFormat format);
 
-/// Of the cell and its truth, once the inputs are there.
-MemoryNeed cell_need(const Technique& technique, const Cell& cell, const InputSizes& sizes,
+/// Of the cell and its truth, once the inputs are there; the base is one of them.
+MemoryNeed cell_need(const Technique& technique, const Cell& cell, const BaseSurface& base, const InputSizes& sizes,
                      const Configuration& configuration);
 
 /// Of the cell with its inputs, which are still to be loaded.

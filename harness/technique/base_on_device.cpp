@@ -2,6 +2,7 @@
 
 #include "gpu/device.hpp"
 #include "scene/surface/chart_grid.hpp"
+#include "technique/renderer.hpp"
 
 #include <fmt/format.h>
 
@@ -82,9 +83,19 @@ std::shared_ptr<const BaseOnDevice> BasesOnDevice::get(const BaseSurface& base) 
     return made;
 }
 
+std::uint64_t base_bytes(const BaseMesh& mesh) {
+    constexpr std::size_t index = sizeof(std::uint32_t);
+    // Its chart, a cell of the grid and the cell's entries.
+    constexpr std::size_t in_chart = (2 + max_entries_of_triangle) * index;
+    return mesh.vertices.size() * sizeof(DeviceVertex) +
+           mesh.triangles.size() * (sizeof(BaseMesh::Triangle) + in_chart) +
+           mesh.chart_periods.size() * sizeof(DeviceChart);
+}
+
 std::string unsupported_mesh(const gpu::Device& device, const BaseMesh& mesh) {
-    const std::uint64_t bytes =
-        std::max(mesh.vertices.size() * sizeof(DeviceVertex), mesh.triangles.size() * sizeof(BaseMesh::Triangle));
+    // Of its buffers those that may be largest: vertices, and the entries of the charts' grid.
+    const std::uint64_t bytes = std::max(mesh.vertices.size() * sizeof(DeviceVertex),
+                                         mesh.triangles.size() * max_entries_of_triangle * sizeof(std::uint32_t));
     if (bytes <= device.info().max_storage_buffer_bytes) return {};
     return fmt::format("the base '{}' would be a buffer of {} bytes; {} has buffers of {}", mesh.name, bytes,
                        device.info().name, device.info().max_storage_buffer_bytes);

@@ -165,6 +165,9 @@ std::string unsupported_reason(const gpu::Device& device, const Technique& techn
 /// Of the technique's derived maps on the device, those that exist while they are made only included.
 std::uint64_t derived_map_bytes(const Technique& technique, const ParameterValues& parameters, Resolution height_map);
 
+/// At most, of the triangles of a base that is not flat on the device, with what finds those of a chart.
+std::uint64_t base_bytes(const BaseMesh& mesh);
+
 /// What u, v and h of the technique's hits may leave [0, 1] by.
 double range_tolerance(const Manifest& manifest);
 

@@ -12,8 +12,6 @@ namespace reliefbench {
 namespace {
 
 constexpr std::uint32_t max_cells_of_side = 1024;
-/// Slivers reach into many cells: where there are more entries than this for each triangle, the cells get larger.
-constexpr std::size_t max_entries_of_triangle = 8;
 /// Of barycentric coordinates: what rounding may leave between two triangles.
 constexpr double gap = 1e-6;
 
@@ -109,6 +107,7 @@ ChartGrid make_chart_grid(const BaseMesh& mesh) {
             extent.high = glm::max(extent.high, mesh.vertices[corner].uv);
         }
     }
+    // Slivers reach into many cells: where there are too many entries, the cells get larger.
     for (double triangles_of_cell = 1;; triangles_of_cell *= 4) {
         grid.charts.clear();
         std::uint32_t cells = 0;

@@ -4,6 +4,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct ChartCells {
     std::uint32_t first_cell = 0;
     std::uint32_t unused = 0;
 };
+
+/// A grid lists no more than this for each triangle of the mesh, and has about as many cells as triangles.
+inline constexpr std::size_t max_entries_of_triangle = 8;
 
 /// Which triangles of a chart lie over a point (u, v): plain arrays, which go to the device as they are.
 struct ChartGrid {
