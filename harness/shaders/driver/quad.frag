@@ -106,6 +106,10 @@ void main() {
 #ifdef RELIEFBENCH_BENT_RAY
         hit = vec4(point_on_ray(ray, found.s) / scene.tiling, height_of_ray(ray, found.s),
                    view.entry_t + found.s * t_per_s);
+#ifndef RELIEFBENCH_CURVED
+        // Over the plane it is bent by hand: its points lie beside the pixel's ray.
+        hit.w = dot(surface_point(hit.xy, hit.z) - view.origin, view.direction);
+#endif
 #else
         hit = vec4(view.entry + found.s * max_offset, height_of_ray(ray, found.s), view.entry_t + found.s * t_per_s);
 #endif
