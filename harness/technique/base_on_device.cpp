@@ -35,7 +35,6 @@ gpu::Buffer upload(const gpu::Device& device, const std::vector<Value>& values) 
 
 std::vector<std::pair<std::string, gpu::Buffer>> upload_charts(const gpu::Device& device, const BaseMesh& mesh) {
     std::vector<std::pair<std::string, gpu::Buffer>> buffers;
-    if (mesh.is_unit_square) return buffers;
     const ChartGrid grid = make_chart_grid(mesh);
     std::vector<DeviceChart> charts;
     for (std::size_t chart = 0; chart < grid.charts.size(); ++chart)

@@ -24,7 +24,7 @@ public:
 private:
     gpu::Buffer vertices_;
     gpu::Buffer indices_;
-    /// By name; of meshes whose chart is not the unit square.
+    /// By name: the grid that finds a chart's triangles.
     std::vector<std::pair<std::string, gpu::Buffer>> charts_;
 };
 

@@ -1,8 +1,7 @@
 #ifndef RELIEFBENCH_BASE_CHARTS_GLSL
 #define RELIEFBENCH_BASE_CHARTS_GLSL
 
-// Whether the base goes on over a point of one of its charts: the mirror of find_triangle in
-// harness/scene/surface/chart_grid.cpp. Only of bases whose chart is not the unit square (RELIEFBENCH_CHARTS).
+// Which triangle of a chart lies over a point of it: the mirror of find_triangle in harness/scene/surface/chart_grid.cpp.
 
 #include "base_mesh.glsl"
 
@@ -22,19 +21,22 @@ float depth_in_triangle(uint triangle, vec2 uv) {
     return min(1.0 - shares.x - shares.y, min(shares.x, shares.y));
 }
 
-bool covers(BaseChart chart, vec2 uv) {
+// -1 where there is none.
+int triangle_in_cell(BaseChart chart, vec2 uv) {
     uvec2 cell = uvec2(clamp(floor((uv - chart.low) * chart.cells_per_uv), vec2(0.0), vec2(chart.cells) - 1.0));
     uint index = chart.first_cell + cell.y * chart.cells.x + cell.x;
     for (uint entry = base_cell_starts.at[index]; entry < base_cell_starts.at[index + 1]; ++entry) {
-        if (depth_in_triangle(base_cell_triangles.at[entry], uv) > -chart_gap) return true;
+        uint triangle = base_cell_triangles.at[entry];
+        if (depth_in_triangle(triangle, uv) > -chart_gap) return int(triangle);
     }
-    return false;
+    return -1;
 }
 
 vec2 chart_size(BaseChart chart) { return vec2(chart.cells) / chart.cells_per_uv; }
 
-// Of (u, v) as a ray has them: a chart that meets itself goes on after its period.
-bool inside_chart(uint index, vec2 uv) {
+// Of (u, v) as a ray has them: a chart that meets itself goes on after its period, by which they are moved to the triangle.
+// -1 beside the chart.
+int triangle_over(uint index, inout vec2 uv) {
     BaseChart chart = base_charts.at[index];
     bvec2 closed = greaterThan(chart.period, vec2(0.0));
     vec2 period = mix(vec2(1.0), chart.period, closed);
@@ -44,11 +46,16 @@ bool inside_chart(uint index, vec2 uv) {
     vec2 last = chart.low + chart_size(chart);
     for (float v = place.y; v == place.y || (closed.y && v <= last.y); v += period.y) {
         for (float u = place.x; u == place.x || (closed.x && u <= last.x); u += period.x) {
-            if (covers(chart, vec2(u, v))) return true;
+            int triangle = triangle_in_cell(chart, vec2(u, v));
+            if (triangle < 0) continue;
+            uv = vec2(u, v);
+            return triangle;
         }
     }
-    return false;
+    return -1;
 }
+
+bool inside_chart(uint index, vec2 uv) { return triangle_over(index, uv) >= 0; }
 
 // Whether who goes on from there along `way` is beside the chart for ever.
 bool has_left_chart(uint index, vec2 uv, vec2 way) {

@@ -15,7 +15,6 @@ base_vertices;
 layout(set = 0, binding = 7, std430) readonly buffer BaseIndices { uint at[]; }
 base_indices;
 
-#ifdef RELIEFBENCH_CHARTS
 // The mirror of ChartGrid in harness/scene/surface/chart_grid.hpp, with the charts' periods.
 struct BaseChart {
     vec2 low;
@@ -35,7 +34,6 @@ layout(set = 0, binding = 62, std430) readonly buffer BaseCellStarts { uint at[]
 base_cell_starts;
 layout(set = 0, binding = 63, std430) readonly buffer BaseCellTriangles { uint at[]; }
 base_cell_triangles;
-#endif
 
 BaseVertex base_vertex(int triangle, int corner) {
     return base_vertices.at[base_indices.at[3 * triangle + corner]];
@@ -75,6 +73,14 @@ BaseTriangle base_triangle(int triangle) {
 vec3 linear_normal(BaseTriangle triangle, vec2 uv) {
     vec2 way = uv - triangle.corner_uv;
     return triangle.corner_normal + way.x * triangle.normal_along_u + way.y * triangle.normal_along_v;
+}
+
+// Of the relief whose offset along N changes by `slope` with u and v, by the tangent frame there: how N itself turns is left
+// out.
+vec3 relief_normal(BaseTriangle triangle, vec2 uv, vec2 slope) {
+    vec3 normal = normalize(linear_normal(triangle, uv));
+    return normalize(triangle.handedness *
+                     cross(triangle.along_u + slope.x * normal, triangle.along_v + slope.y * normal));
 }
 
 // (u, v) of a vector in the triangle's plane.

@@ -5,9 +5,7 @@
 // snapping would show in the errors. Of the base a ray knows what engines know: the tangent frame where the pixel enters, and
 // where it is bent (relief_ray.glsl) how the normals of the triangle turn.
 
-#ifdef RELIEFBENCH_CHARTS
 #include "base_charts.glsl"
-#endif
 #include "base_mesh.glsl"
 #include "relief.glsl"
 #include "scene.glsl"
@@ -28,9 +26,7 @@ struct CurvedEntry {
     float handedness;    // of (dP/du, dP/dv, N)
     vec2 uv_dx;          // how `uv` changes from pixel to pixel, on this triangle
     vec2 uv_dy;
-#ifdef RELIEFBENCH_CHARTS
     uint chart;
-#endif
 #ifdef RELIEFBENCH_BENT_RAY
     mat2 fall;   // second fundamental form of (u, v), from the triangle's normals: positive where the base falls away
     mat2 shape;  // shape operator of (u, v): the same as a map of tangent vectors
@@ -73,9 +69,7 @@ bool enter_base(inout ViewRay view, int index) {
     curved_entry.along_u = triangle.along_u;
     curved_entry.along_v = triangle.along_v;
     curved_entry.handedness = triangle.handedness;
-#ifdef RELIEFBENCH_CHARTS
     curved_entry.chart = base_triangle_charts.at[index];
-#endif
 
     vec3 normal = normalize(linear_normal(triangle, curved_entry.uv));
     vec3 tangent = normalize(triangle.along_u - normal * dot(normal, triangle.along_u));
@@ -179,8 +173,13 @@ vec3 surface_point(vec2 patch_uv, float h) {
            (h - 1.0) * scene.height_scale * curved_entry.frame[2];
 }
 
-// Of the relief whose offset along N changes by `slope` with u and v, in the entry's frame.
-vec3 curved_normal(vec2 slope) {
+// Of the relief over patch coordinates, whose offset along N changes by `slope` with u and v: in the frame of the triangle
+// that lies there, if that is asked for and the chart goes on, else in the entry's.
+vec3 curved_normal(vec2 patch_uv, vec2 slope) {
+#ifdef NORMAL_FRAME_HIT
+    int index = triangle_over(curved_entry.chart, patch_uv);
+    if (index >= 0) return relief_normal(base_triangle(index), patch_uv, slope);
+#endif
     vec3 normal = curved_entry.frame[2];
     return normalize(curved_entry.handedness *
                      cross(curved_entry.along_u + slope.x * normal, curved_entry.along_v + slope.y * normal));

@@ -158,7 +158,7 @@ void main() {
     count_end(scene.resolution, gl_FragCoord.xy);
 #endif
 #ifdef RELIEFBENCH_CURVED
-    vec3 normal = found.flat_normal ? curved_entry.frame[2] : curved_normal(surface_slope(hit.xy));
+    vec3 normal = found.flat_normal ? curved_entry.frame[2] : curved_normal(hit.xy, surface_slope(hit.xy));
     write_surface(hit, view.direction, normal, visibility);
 #else
     write_surface(hit, view.direction, found.flat_normal, visibility);

@@ -46,15 +46,6 @@ Crossed cross_tetrahedron(Tetrahedron tetrahedron, vec4 weights, vec4 per_length
     return crossed;
 }
 
-vec3 surface_normal(int index, vec2 patch_uv, bool is_flat) {
-    BaseTriangle triangle = base_triangle(index);
-    vec3 normal = normalize(linear_normal(triangle, patch_uv));
-    if (is_flat) return normal;
-    vec2 slope = surface_slope(patch_uv);
-    return normalize(triangle.handedness *
-                     cross(triangle.along_u + slope.x * normal, triangle.along_v + slope.y * normal));
-}
-
 // The piece of the ray from `start` on, where the corners' weights are `weights`; it goes on past both ends by `overlap`.
 void draw_piece(ViewRay view, vec4 weights, vec4 per_length, float t_start, Crossed crossed, float overlap,
                 Tetrahedron tetrahedron) {
@@ -85,7 +76,9 @@ void draw_piece(ViewRay view, vec4 weights, vec4 per_length, float t_start, Cros
     vec4 hit = vec4(point_on_ray(ray, found.s) / scene.tiling, clamp(height_of_ray(ray, found.s), 0.0, 1.0), max(0.0, t));
     vec4 clip = scene.clip_from_world * vec4(view.origin + t * view.direction, 1.0);
     gl_FragDepth = max(clip.z / clip.w, gl_FragCoord.z);
-    vec3 normal = surface_normal(tetrahedron_index / tetrahedra_per_prism, hit.xy, found.flat_normal);
+    BaseTriangle triangle = base_triangle(tetrahedron_index / tetrahedra_per_prism);
+    vec3 normal = found.flat_normal ? normalize(linear_normal(triangle, hit.xy))
+                                    : relief_normal(triangle, hit.xy, surface_slope(hit.xy));
     write_surface(hit, view.direction, normal, vec3(1.0));
 }
 
