@@ -17,6 +17,8 @@ Image<Coverage> coverage_map(const ComparedHits& hits) {
         const bool theirs = truth.texels[pixel].is_hit();
         if (footprint.texels[pixel] == tie_in_footprint) {
             map.texels[pixel] = Coverage::tie;
+        } else if (footprint.texels[pixel] == 0 && hits.ends_with_footprint()) {
+            map.texels[pixel] = Coverage::neither;
         } else if (ours) {
             map.texels[pixel] = theirs ? Coverage::both : Coverage::false_hit;
         } else if (theirs) {

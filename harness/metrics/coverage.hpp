@@ -9,7 +9,7 @@ namespace reliefbench {
 
 /// What became of a pixel.
 enum class Coverage : std::uint8_t {
-    /// Neither the technique nor the truth hits.
+    /// Neither the technique nor the truth hits, or the pixel lies outside the footprint where the truth ends with it.
     neither,
     both,
     /// Truth hits inside the footprint and the technique does not.
