@@ -33,7 +33,7 @@ protected:
         for (std::size_t cell = 0; cell < cells.size(); ++cell) {
             const auto& [technique, parameters] = cells[cell];
             renderers.push_back(test::make_renderer(device(), library.get(technique), inputs.map(view_).scene,
-                                                    view_.view, configuration_.lighting, parameters));
+                                                    inputs.view(view_), configuration_.lighting, parameters));
             subjects.push_back({&renderers.back(), &results[cell]});
         }
         measure_motion(inputs, view_, configuration_, subjects, {});
@@ -71,6 +71,28 @@ TEST_F(Motion, RanksStairStepsAboveFineLayersAboveExactHits) {
             EXPECT_GT(value("motion.flip.mean", fine), 2 * value("motion.flip.mean", exact));
             EXPECT_EQ(value("motion.unseen", coarse), value("motion.unseen", exact));
         }
+    }
+}
+
+TEST_F(Motion, OverACylinderHitsByBentRaysMoveAsTheTruthDoes) {
+    configuration_.motion->frames = 2;
+    view_.view.resolution = {48, 48};
+    view_.base = {.kind = BaseSource::Kind::cylinder, .curvature = 1, .segments = 32};
+    const ParameterValues bent{{"ray_model", std::string("quadric_uv")}};
+    ParameterValues coarse = coarse_to_exact.front().second;
+    coarse.insert(bent.begin(), bent.end());
+    for (const Projection projection : {Projection::parallel, Projection::perspective}) {
+        view_.view.camera.projection = projection;
+        const std::vector<CellResult> results = measure({{"steep", coarse}, {"max_mip", bent}});
+        const auto value = [&](const char* path, int cell) { return value_of(path, results.at(cell)).value(); };
+        for (int cell = 0; cell < 2; ++cell) {
+            ASSERT_EQ(results.at(cell).reason, "");
+            EXPECT_GT(value("motion.compared", cell), 300);
+        }
+        // What the curvature's second order leaves.
+        EXPECT_LT(value("motion.texels.mean", 1), 0.1);
+        EXPECT_GT(value("motion.texels.mean", 0), 2 * value("motion.texels.mean", 1));
+        EXPECT_LT(value("motion.hit_once", 1), 0.05 * value("motion.compared", 1));
     }
 }
 
