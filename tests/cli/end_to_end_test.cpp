@@ -1,6 +1,8 @@
 #include "command_line.hpp"
 
 #include "scene/image_file.hpp"
+#include "scene/surface/generated_base.hpp"
+#include "support/mesh_writer.hpp"
 
 #include <gmock/gmock.h>
 
@@ -261,6 +263,37 @@ TEST_F(EndToEnd, ErrorsInMotionAreMeasuredWhenAskedFor) {
         EXPECT_GT(cell.at("time").at("draw").at("n"), 0);
     }
     EXPECT_GT(texels.at("steep"), 10 * texels.at("qdm"));
+}
+
+TEST_F(EndToEnd, AFileOfTheGeneratedCylinderGivesItsFigures) {
+    const BaseSource cylinder{.kind = BaseSource::Kind::cylinder, .curvature = 1.5, .segments = 32};
+    write("cylinder.glb", as_glb(gltf_of(generate_base(cylinder))));
+    Json json = tiny_configuration();
+    json["techniques"] = {"steep",
+                          {{"technique", "max_mip"}, {"parameters", {{"ray_model", "quadric_uv"}}}},
+                          "tessellation",
+                          "shell_march"};
+    json["axes"]["boundary"] = {"clip", "repeat"};
+    json["axes"]["self_shadow"] = {"off", "hard"};
+    const auto figures_over = [&](const std::string& name, const Json& axes) {
+        Json over = json;
+        over["axes"].update(axes);
+        const Outcome run = reliefbench({"run", write_configuration(name + ".json", over), "-o", path(name)});
+        EXPECT_EQ(run.code, 0) << run.err;
+        std::vector<Json> figures;
+        for (const Json& cell : read_lines(path(name + "/cells.jsonl"))) {
+            // Real geometry and shells have no search for shadows.
+            if (cell.at("status") == "skipped") continue;
+            EXPECT_EQ(cell.at("status"), "ok") << cell.at("reason");
+            EXPECT_GT(cell.at("error").at("compared"), 100);
+            figures.push_back({cell.at("technique"), cell.at("axes").at("boundary"), cell.at("work"), cell.at("error"),
+                               cell.at("image")});
+        }
+        return figures;
+    };
+    const auto generated = figures_over("generated", {{"base", "cylinder"}, {"curvature", 1.5}, {"base_segments", 32}});
+    EXPECT_EQ(generated.size(), 12U);
+    EXPECT_EQ(figures_over("read", {{"base", "cylinder.glb"}, {"base_fit", "none"}}), generated);
 }
 
 TEST_F(EndToEnd, ListsTellWhatThereIs) {
