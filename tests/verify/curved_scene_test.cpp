@@ -145,7 +145,7 @@ TEST_F(CurvedScene, AnObjectIsInFrontWhereTheTruthSaysSo) {
     };
     EXPECT_LE(wrong("max_mip", bent, DepthWrite::on), 0.002);
     EXPECT_LE(wrong("max_mip", bent, DepthWrite::conservative), 0.002);
-    EXPECT_LE(wrong("tessellation", {{"factor", std::int64_t{16}}}, DepthWrite::on), 0.01);
+    EXPECT_LE(wrong("tessellation", {{"factor", std::int64_t{4}}}, DepthWrite::on), 0.01);
     EXPECT_LE(wrong("shell_march", {}, DepthWrite::on), 0.01);
     EXPECT_GT(wrong("max_mip", bent, DepthWrite::off), 0.03);
 }
