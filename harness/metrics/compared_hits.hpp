@@ -43,8 +43,9 @@ struct ComparedHits {
     /// After how much of u, and of v, the chart that the pixel's ray entered by meets itself again; 0 where it does
     /// not.
     glm::dvec2 chart_period(std::size_t pixel) const;
-    /// Whether nothing is right or wrong outside F: with Boundary::repeat, where truths end with it.
-    bool ends_with_footprint() const { return relief.boundary == Boundary::repeat; }
+    /// Whether nothing is right or wrong outside F: over a plane with Boundary::repeat, whose relief goes on past it for
+    /// ever and whose truth ends with it. A base of triangles ends by itself.
+    bool ends_with_footprint() const { return relief.boundary == Boundary::repeat && !curved; }
 };
 
 /// The shading normals in world space of both, by pixel; where a pixel has a hit.

@@ -85,7 +85,6 @@ public:
             const Ray ray = rays_.at(i, j);
             const std::optional<MeshEntry> entry = entries_.find(ray);
             if (entry) truth_.curved->entry_triangles.at(i, j) = entry->triangle;
-            if (!entry && view_.relief.boundary == Boundary::repeat) return;
             const std::optional<CurvedHit> hit = trace(ray);
             if (hit) record(*hit, derivatives, i, j);
             if (entry)

@@ -3,6 +3,8 @@
 
 // The triangles of a base that is not flat: the mirror of harness/scene/surface/base_mesh.hpp.
 
+#include "scene.glsl"
+
 struct BaseVertex {
     vec3 position;
     float u;
@@ -81,6 +83,17 @@ vec3 relief_normal(BaseTriangle triangle, vec2 uv, vec2 slope) {
     vec3 normal = normalize(linear_normal(triangle, uv));
     return normalize(triangle.handedness *
                      cross(triangle.along_u + slope.x * normal, triangle.along_v + slope.y * normal));
+}
+
+// The same with how N turns, at height h: the normal of S itself.
+vec3 displaced_normal(BaseTriangle triangle, vec2 uv, float h, vec2 slope) {
+    vec3 linear = linear_normal(triangle, uv);
+    vec3 normal = normalize(linear);
+    float above = (h - 1.0) * scene.height_scale / length(linear);
+    vec3 turn_u = triangle.normal_along_u - normal * dot(normal, triangle.normal_along_u);
+    vec3 turn_v = triangle.normal_along_v - normal * dot(normal, triangle.normal_along_v);
+    return normalize(triangle.handedness * cross(triangle.along_u + slope.x * normal + above * turn_u,
+                                                 triangle.along_v + slope.y * normal + above * turn_v));
 }
 
 // (u, v) of a vector in the triangle's plane.

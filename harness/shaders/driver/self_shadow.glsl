@@ -134,6 +134,29 @@ float hard_visibility(ReliefRay ray, float s_point) {
     return march_to_point(ray, s_first, s_point, s_end) ? 0.0 : 1.0;
 }
 
+#ifdef RELIEFBENCH_BENT_RAY
+// Of a light whose bent ray comes down again before it reaches h = 1, over a hollow base: it enters through the floor's back,
+// which is transparent, and is marched in uniform layers from there to the point.
+float hollow_visibility(ReliefRay ray, vec2 uv, float h) {
+    float bend = bend_of(ray.straight_offset);
+    vec2 uv_bend = uv_bend_of(ray.straight_offset);
+    vec2 offset = ray.straight_offset + (1.0 - h) * uv_bend;
+    // Where h + r + bend r^2 is 0.
+    float farthest = (1.0 + sqrt(1.0 - 4.0 * bend * h)) / (-2.0 * bend);
+    int layers = max(1, int(shadow_layers(ray.to_eye)));
+    bool above = false;
+    for (int i = 0; i < layers; ++i) {
+        float r = farthest * (1.0 - float(i) / float(layers));
+        if (r <= self_shadow_bias) break;
+        vec2 place = uv - r * (offset - r * uv_bend);
+        bool beneath = !casts_shadow(place) || tap_height(place) > h + r * (1.0 + bend * r);
+        if (above && beneath && casts_shadow(place)) return 0.0;
+        above = !beneath;
+    }
+    return 1.0;
+}
+#endif
+
 // Dykhta 2013: from the point, lifted by the bias, towards the light in layers. What lies beneath the surface counts by
 // its depth under it, and the less the farther away it is; the most of it is the shadow.
 float dykhta_visibility(ReliefRay ray, vec2 uv, float s_point) {
@@ -193,7 +216,7 @@ float visibility_of_light(vec3 to_light, vec2 uv, float h, ReliefRay view_ray) {
 #endif
 #ifdef RELIEFBENCH_BENT_RAY
     // The published soft ones know straight rays.
-    if (self_shadow == self_shadow_hard && !bend_light_ray(ray, uv, h, s_point)) return 0.0;
+    if (self_shadow == self_shadow_hard && !bend_light_ray(ray, uv, h, s_point)) return hollow_visibility(ray, uv, h);
 #endif
     if (self_shadow == self_shadow_hard) return hard_visibility(ray, s_point);
     if (self_shadow == self_shadow_dykhta) return dykhta_visibility(ray, uv, s_point);

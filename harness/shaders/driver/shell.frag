@@ -78,7 +78,7 @@ void draw_piece(ViewRay view, vec4 weights, vec4 per_length, float t_start, Cros
     gl_FragDepth = max(clip.z / clip.w, gl_FragCoord.z);
     BaseTriangle triangle = base_triangle(tetrahedron_index / tetrahedra_per_prism);
     vec3 normal = found.flat_normal ? normalize(linear_normal(triangle, hit.xy))
-                                    : relief_normal(triangle, hit.xy, surface_slope(hit.xy));
+                                    : displaced_normal(triangle, hit.xy, hit.z, surface_slope(hit.xy));
     write_surface(hit, view.direction, normal, vec3(1.0));
 }
 
