@@ -184,11 +184,11 @@ test("several limits hold at once, of any figure, and the address has them", asy
   assert.deepEqual([(await fragment()).get("budget"), (await fragment()).get("limit.prepare.bytes")], ["0.9", "0"]);
 });
 
-test("advice says when settings cannot be told apart, and when its error counts relief beyond the quad", async () => {
+test("advice says when settings cannot be told apart, and when its error counts relief outside the footprint", async () => {
   await open("shadows", "view=advice&axis.self_shadow=off&budget=5");
   assert.match(
     await page.textContent(".view-advice .caution"),
-    /FLIP.*: relief beyond the quad counts.*version that had no figures/,
+    /FLIP.*: relief outside the footprint counts.*version that had no figures/,
   );
   assert.match(await page.textContent(".answer"), /Use pom: .*in 1\.00 ms/);
   await open("small", "view=advice&axis.view_angle=0&budget=5&limit.image.flip=0.5&limit.image.footprint.flip=0.1");
