@@ -106,7 +106,7 @@ TEST_F(Shell, BashCompletesCommandsOptionsAndValues) {
     EXPECT_THAT(bash_offers({""}), IsSupersetOf(commands_below({})));
     EXPECT_THAT(bash_offers({"ren"}), UnorderedElementsAre("render"));
     EXPECT_THAT(bash_offers({"list", ""}),
-                UnorderedElementsAre("techniques", "devices", "heightmaps", "axes", "figures"));
+                UnorderedElementsAre("techniques", "devices", "heightmaps", "axes", "bases", "figures"));
     EXPECT_THAT(bash_offers({"run", "--f"}), UnorderedElementsAre("--filter", "--format"));
     EXPECT_THAT(bash_offers({"run", "--format", ""}), UnorderedElementsAre("table", "markdown", "csv", "json"));
     // bash splits --color=al at the '='.
@@ -141,7 +141,7 @@ TEST_F(Shell, ZshCompletesTheSame) {
     EXPECT_THAT(offers("reliefbench run --for"), Contains("--format"));
     EXPECT_THAT(offers("reliefbench run --format "), UnorderedElementsAre("table", "markdown", "csv", "json"));
     EXPECT_THAT(offers("reliefbench list "),
-                UnorderedElementsAre("techniques", "devices", "heightmaps", "axes", "figures"));
+                UnorderedElementsAre("techniques", "devices", "heightmaps", "axes", "bases", "figures"));
     EXPECT_THAT(offers("reliefbench render --technique "), IsSupersetOf({"pom", "qdm", "steep"}));
     EXPECT_THAT(offers("reliefbench run --filter technique=po"), UnorderedElementsAre("pom"));
 }

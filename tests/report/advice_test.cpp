@@ -186,9 +186,9 @@ TEST(Advice, ARunWithoutErrorsOverTheFootprintIsRankedByTheWholePictureAndThatIs
     EXPECT_EQ(ranking_figure(cells).path, "image.flip");
     const Advice advice = ask(cells, {budget(200)});
     EXPECT_EQ(name(advice.views.front().best), "pom n=8");
-    EXPECT_THAT(format_advice(advice, AdviceFormat::table, 100), HasSubstr("outside the footprint"));
+    EXPECT_THAT(format_advice(advice, AdviceFormat::table, 100), HasSubstr("outside it"));
     EXPECT_THAT(Json::parse(format_advice(advice, AdviceFormat::json, 100)).at("note").get<std::string>(),
-                HasSubstr("outside the footprint"));
+                HasSubstr("outside it"));
     EXPECT_THAT(error_message([&] { ask(cells, {flip(0.1)}); }), HasSubstr("image.footprint.flip"));
 }
 

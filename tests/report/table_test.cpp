@@ -186,7 +186,7 @@ TEST(Table, FlipIsOverTheFootprintAndOfTheWholePictureInOldRuns) {
     remove_figures(cell, "image.footprint");
     const std::string old = format_table({cell, measured("b | v", {})});
     EXPECT_THAT(old, AllOf(HasSubstr(" 0.250 "), Not(HasSubstr(" 0.125 ")), HasSubstr("of the whole picture"),
-                           HasSubstr("relief outside the footprint")));
+                           HasSubstr("relief outside it")));
 }
 
 TEST(Table, TheMarksAreExplained) {
