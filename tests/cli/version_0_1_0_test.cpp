@@ -97,7 +97,7 @@ TEST_F(Version010, ARunIsExported) {
 TEST_F(Version010, ARunGivesAdvice) {
     EXPECT_THAT(succeed({"advise", fixture("all"), "--budget", "5ms"}).out,
                 AllOf(HasSubstr("view_angle=60 projection=parallel"), HasSubstr("FLIP, whole picture"),
-                      HasSubstr("relief outside the footprint counts")));
+                      HasSubstr("relief outside it")));
 }
 
 TEST_F(Version010, ARunIsPlotted) {

@@ -270,7 +270,7 @@ TEST(MotionChanges, CountWhatIsHitInOneFrameOnly) {
 }
 
 TEST(MotionChanges, GoTheShortestWayRoundAChartAndLeaveOutOtherCharts) {
-    const Pair pair(Projection::parallel);
+    const Pair pair(Projection::perspective);
     auto mesh = std::make_shared<BaseMesh>();
     mesh->charts = {0};
     mesh->chart_periods = {glm::vec2(2, 0)};

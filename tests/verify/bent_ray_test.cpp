@@ -6,7 +6,9 @@
 #include "core/statistics.hpp"
 
 #include <gmock/gmock.h>
+#include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -30,15 +32,16 @@ glm::dvec2 uv_bend_at(glm::dvec2 entry) {
 BrokenCopy bent(const std::string& id, bool way_bends, const std::string& bend = "(1.6 * view_entry(uv).x - 0.8)",
                 std::vector<Replacement> more = {}) {
     const std::string way = way_bends ? "(2.0 * view_entry(uv).y - 1.0) * vec2(0.05, -0.035)" : "vec2(0.0)";
-    more.push_back({"relief_ray.glsl",
-                    "#if defined(RELIEFBENCH_CURVED) && (defined(RAY_MODEL_QUADRIC) || defined(RAY_MODEL_QUADRIC_UV))",
-                    "#if 1"});
+    more.push_back(
+        {"relief_ray.glsl",
+         "#if defined(HAND_CURVATURE_CONSTANT) || defined(HAND_CURVATURE_PER_AXIS) || \\\n"
+         "    (defined(RELIEFBENCH_CURVED) && (defined(RAY_MODEL_QUADRIC) || defined(RAY_MODEL_QUADRIC_UV)))",
+         "#if 1"});
     more.push_back({"plane_ray.glsl", "ReliefRay plane_ray(",
                     "vec2 view_entry(vec2 uv) { return uv / scene.tiling; }\nReliefRay plane_ray("});
-    more.push_back({"plane_ray.glsl", "return ReliefRay(uv, to_eye, 1.0,",
-                    "return ReliefRay(uv, to_eye, end_of_bend" + bend + ","});
-    more.push_back({"plane_ray.glsl", "offset, uv_dx, uv_dy, level);",
-                    "offset, uv_dx, uv_dy, level, " + bend + ", " + way + ");"});
+    more.push_back({"plane_ray.glsl", "dot(way, hand_fall() * way) / (2.0 * scene.height_scale)", "0.0"});
+    more.push_back({"quad.frag", "bend_ray(ray, bend_of(ray.straight_offset), uv_bend_of(ray.straight_offset))",
+                    "bend_ray(ray, " + bend + ", " + way + ")"});
     return {id, more};
 }
 
@@ -52,6 +55,24 @@ struct BentRay {
 
     double end() const { return bend > 0.25 ? 1 / bend : 2 / (1 + std::sqrt(1 - 4 * bend)); }
     double height(double s) const { return 1 - s + bend * s * s; }
+
+    /// Of a point of the ray: of the two at its height the one over its coordinates, by which it is then sharpened, as
+    /// heights say little where the ray turns.
+    double parameter_of(const Hit& hit) const {
+        const glm::dvec2 found{hit.u, hit.v};
+        const double depth = 1 - static_cast<double>(hit.h);
+        const double root = std::sqrt(std::max(1 - 4 * bend * depth, 0.0));
+        double s = 2 * depth / (1 + root);
+        if (bend > 0 && root < 1) {
+            const double second = (1 + root) / (2 * bend);
+            if (glm::length(place(second) - found) < glm::length(place(s) - found)) s = second;
+        }
+        for (int step = 0; step < 3; ++step) {
+            const glm::dvec2 speed = offset + 2 * s * uv_bend;
+            s -= glm::dot(place(s) - found, speed) / glm::dot(speed, speed);
+        }
+        return s;
+    }
     glm::dvec2 place(double s) const { return uv + s * offset + s * s * uv_bend; }
     double gap(const HeightMap& map, double s) const {
         const glm::dvec2 at = place(s);
@@ -111,7 +132,6 @@ protected:
             compare_with_truth(device(), technique, with_values(technique.manifest, changed), scene, view).probe;
         const double angle = view.camera.view_angle * std::numbers::pi / 180;
         const double azimuth = view.camera.azimuth * std::numbers::pi / 180;
-        const double t_per_s = view.relief.height_scale / std::cos(angle);
         const glm::dvec2 offset =
             -view.relief.height_scale * std::tan(angle) * glm::dvec2(std::cos(azimuth), std::sin(azimuth));
         std::vector<Found> all;
@@ -121,7 +141,7 @@ protected:
                 const BentRay ray{entry, offset, bend_at(entry), way_bends ? uv_bend_at(entry) : glm::dvec2(0)};
                 Found found;
                 const Hit& hit = probe.hits.at(i, j);
-                if (hit.is_hit()) found.found = hit.t / t_per_s;
+                if (hit.is_hit()) found.found = ray.parameter_of(hit);
                 found.wanted = first_crossing(map, ray);
                 const Resolution size = map.heights.size;
                 const glm::dvec2 speed = ray.offset + 2 * std::max(found.wanted, 0.0) * ray.uv_bend;
