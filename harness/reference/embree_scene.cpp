@@ -1,6 +1,5 @@
 #include "reference/embree_scene.hpp"
 
-#include "core/error.hpp"
 #include "reference/embree_handles.hpp"
 
 #include <algorithm>
@@ -12,38 +11,7 @@ namespace reliefbench {
 
 namespace {
 
-/// Calls fill(geometry) before the geometry is committed.
-template <typename Fill>
-void build(embree::BuiltScene& built, RTCGeometryType type, const std::string& what, const Fill& fill) {
-    built.device.reset(rtcNewDevice(embree::configuration));
-    if (!built.device) fail("Embree gives no device for {}: check the package libembree3-3", what);
-    rtcSetDeviceErrorFunction(built.device.get(), embree::keep_message, &built.message);
-    built.scene.reset(rtcNewScene(built.device.get()));
-    rtcSetSceneFlags(built.scene.get(), RTC_SCENE_FLAG_ROBUST);
-    const embree::GeometryHandle geometry(rtcNewGeometry(built.device.get(), type));
-    fill(geometry.get());
-    rtcCommitGeometry(geometry.get());
-    rtcAttachGeometry(built.scene.get(), geometry.get());
-    rtcCommitScene(built.scene.get());
-    if (rtcGetDeviceError(built.device.get()) == RTC_ERROR_NONE) return;
-    fail("Embree cannot build {} ({}): lower the tiling, the subdivision, or the size of base or map", what,
-         built.message);
-}
-
-RTCRayHit embree_query(const Ray& ray) {
-    RTCRayHit query{};
-    query.ray.org_x = static_cast<float>(ray.origin.x);
-    query.ray.org_y = static_cast<float>(ray.origin.y);
-    query.ray.org_z = static_cast<float>(ray.origin.z);
-    query.ray.dir_x = static_cast<float>(ray.direction.x);
-    query.ray.dir_y = static_cast<float>(ray.direction.y);
-    query.ray.dir_z = static_cast<float>(ray.direction.z);
-    query.ray.tfar = std::numeric_limits<float>::infinity();
-    query.ray.mask = ~0u;
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    return query;
-}
+constexpr const char* remedy = "lower the tiling, the subdivision, or the size of base or map";
 
 /// Embree hands back the pointer to `context`, which is the pointer to all of it.
 struct VisitContext {
@@ -91,12 +59,13 @@ struct BoxScene::Scene : embree::BuiltScene {};
 struct TriangleScene::Scene : embree::BuiltScene {};
 
 BoxScene::BoxScene(std::span<const Box> boxes, const std::string& what) : scene_(std::make_unique<Scene>()) {
-    build(*scene_, RTC_GEOMETRY_TYPE_USER, what, [&](RTCGeometry geometry) {
+    embree::build(*scene_, RTC_GEOMETRY_TYPE_USER, what, remedy, [&](RTCGeometry geometry) {
         rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(boxes.size()));
         // Only read, while the scene is committed.
         rtcSetGeometryUserData(geometry, const_cast<Box*>(boxes.data()));
         rtcSetGeometryBoundsFunction(geometry, give_bounds, nullptr);
         rtcSetGeometryIntersectFunction(geometry, visit_box);
+        return true;
     });
 }
 
@@ -109,23 +78,24 @@ void BoxScene::visit_boxes(const Ray& ray, void* visitor, double (*call)(void* v
     rtcInitIntersectContext(&context.context);
     context.visitor = visitor;
     context.call = call;
-    RTCRayHit query = embree_query(ray);
+    RTCRayHit query = embree::first_hit_query(ray);
     rtcIntersect1(scene_->scene.get(), &context.context, &query);
 }
 
 TriangleScene::TriangleScene(std::span<const Vertex> vertices, const std::string& what)
     : scene_(std::make_unique<Scene>()) {
     assert(vertices.size() % 3 == 0);
-    build(*scene_, RTC_GEOMETRY_TYPE_TRIANGLE, what, [&](RTCGeometry geometry) {
+    embree::build(*scene_, RTC_GEOMETRY_TYPE_TRIANGLE, what, remedy, [&](RTCGeometry geometry) {
         void* corners = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vertex),
                                                 vertices.size());
         void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                                 3 * sizeof(unsigned), vertices.size() / 3);
-        if (!corners || !indices) return;
+        if (!corners || !indices) return false;
         std::ranges::copy(vertices, static_cast<Vertex*>(corners));
         for (std::size_t index = 0; index < vertices.size(); ++index)
             static_cast<unsigned*>(indices)[index] = static_cast<unsigned>(index);
         rtcSetGeometryIntersectFilterFunction(geometry, reject_back_face);
+        return true;
     });
 }
 
@@ -136,7 +106,7 @@ TriangleScene& TriangleScene::operator=(TriangleScene&&) noexcept = default;
 std::optional<TriangleScene::Met> TriangleScene::first_front(const Ray& ray) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    RTCRayHit query = embree_query(ray);
+    RTCRayHit query = embree::first_hit_query(ray);
     rtcIntersect1(scene_->scene.get(), &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return Met{query.hit.primID, static_cast<double>(query.ray.tfar)};

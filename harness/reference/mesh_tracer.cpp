@@ -1,9 +1,9 @@
 #include "reference/mesh_tracer.hpp"
 
-#include "core/error.hpp"
 #include "reference/embree_handles.hpp"
 #include "reference/vertex_grid.hpp"
 
+#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -12,7 +12,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -85,9 +84,7 @@ void fill_triangles(RTCGeometry geometry, const VertexGrid& mesh) {
 }  // namespace
 
 struct MeshTracer::Scene {
-    std::string message;
-    embree::Device device;
-    embree::SceneHandle scene;
+    embree::BuiltScene built;
     const HeightMap* map = nullptr;
     Relief relief;
     Plane plane;
@@ -110,31 +107,19 @@ MeshTracer::MeshTracer(const HeightMap& map, const View& view, int subdivision, 
         scene_->clip ? PatchRegion{} : visible_region(scene_->plane, view.camera, view.relief.height_scale);
     const VertexGrid mesh = enclosing_grid(map, view.relief, region.low, region.high, subdivision);
 
-    scene_->device.reset(rtcNewDevice(embree::configuration));
-    if (!scene_->device) fail("Embree gives no device for the mesh truth: check the package libembree3-3");
-    RTCDevice device = scene_->device.get();
-    rtcSetDeviceErrorFunction(device, embree::keep_message, &scene_->message);
-    scene_->scene.reset(rtcNewScene(device));
-    rtcSetSceneFlags(scene_->scene.get(), RTC_SCENE_FLAG_ROBUST);
-
-    const embree::GeometryHandle geometry(
-        rtcNewGeometry(device, kind == Geometry::grid ? RTC_GEOMETRY_TYPE_GRID : RTC_GEOMETRY_TYPE_TRIANGLE));
-    void* vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                             sizeof(Vertex), mesh.vertices());
-    if (vertices) {
+    const RTCGeometryType type = kind == Geometry::grid ? RTC_GEOMETRY_TYPE_GRID : RTC_GEOMETRY_TYPE_TRIANGLE;
+    const std::string what =
+        fmt::format("the mesh of {}x{} vertices for the height map '{}'", mesh.columns, mesh.rows, map.name);
+    constexpr const char* remedy = "lower the subdivision or the tiling, or use the exact truth";
+    embree::build(scene_->built, type, what, remedy, [&](RTCGeometry geometry) {
+        void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vertex),
+                                                 mesh.vertices());
+        if (!vertices) return false;
         displace(map, view.relief, mesh, std::span(static_cast<Vertex*>(vertices), mesh.vertices()));
-        kind == Geometry::grid ? fill_grids(geometry.get(), mesh) : fill_triangles(geometry.get(), mesh);
-        rtcSetGeometryIntersectFilterFunction(geometry.get(), reject_transparent);
-        rtcCommitGeometry(geometry.get());
-        rtcAttachGeometry(scene_->scene.get(), geometry.get());
-        rtcCommitScene(scene_->scene.get());
-    }
-    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) {
-        fail(
-            "Embree cannot build the mesh of {}x{} vertices for the height map '{}' ({}): lower the subdivision or the "
-            "tiling, or use the exact truth",
-            mesh.columns, mesh.rows, map.name, scene_->message);
-    }
+        kind == Geometry::grid ? fill_grids(geometry, mesh) : fill_triangles(geometry, mesh);
+        rtcSetGeometryIntersectFilterFunction(geometry, reject_transparent);
+        return true;
+    });
 }
 
 MeshTracer::~MeshTracer() = default;
@@ -156,18 +141,8 @@ std::optional<ExactHit> MeshTracer::trace(const Ray& ray) const {
     traced.plane = scene_->plane;
     traced.clip = scene_->clip;
 
-    RTCRayHit query{};
-    query.ray.org_x = static_cast<float>(traced.origin.x);
-    query.ray.org_y = static_cast<float>(traced.origin.y);
-    query.ray.org_z = static_cast<float>(traced.origin.z);
-    query.ray.dir_x = static_cast<float>(ray.direction.x);
-    query.ray.dir_y = static_cast<float>(ray.direction.y);
-    query.ray.dir_z = static_cast<float>(ray.direction.z);
-    query.ray.tfar = std::numeric_limits<float>::infinity();
-    query.ray.mask = ~0u;
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene_->scene.get(), &traced.context, &query);
+    RTCRayHit query = embree::first_hit_query({traced.origin, traced.direction});
+    rtcIntersect1(scene_->built.scene.get(), &traced.context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
     const double t = std::max(t_start + static_cast<double>(query.ray.tfar), t_top);

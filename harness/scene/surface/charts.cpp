@@ -1,15 +1,15 @@
 #include "scene/surface/charts.hpp"
 
+#include "scene/surface/vertex_places.hpp"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <unordered_map>
 
 namespace reliefbench {
 
@@ -18,56 +18,11 @@ namespace {
 /// A chart this many times as long as its seam says has no period: it overlaps itself, or the seam is no seam.
 constexpr float max_periods_of_chart = 4;
 
-/// What programs that write meshes round differently on both sides of a seam: of positions by the mesh's size, and of
-/// normals.
-constexpr float position_rounding = 0x1p-20f;
+/// What programs that write meshes round differently on both sides of a seam, of normals.
 constexpr float normal_rounding = 1e-5f;
 
 bool is_same_normal(const glm::vec3& a, const glm::vec3& b) {
     return glm::length(a - b) <= normal_rounding;
-}
-
-float size_of(const BaseMesh& mesh) {
-    glm::vec3 low(std::numeric_limits<float>::infinity());
-    glm::vec3 high = -low;
-    for (const MeshVertex& vertex : mesh.vertices) {
-        low = glm::min(low, vertex.position);
-        high = glm::max(high, vertex.position);
-    }
-    const glm::vec3 size = high - low;
-    return std::max({size.x, size.y, size.z});
-}
-
-/// Which vertices are alike: in position alone and up to rounding, or in all that they have.
-std::vector<std::uint32_t> alike(const BaseMesh& mesh, bool in_position_alone) {
-    using Key = std::array<float, 8>;
-    struct Hash {
-        std::size_t operator()(const Key& key) const {
-            std::size_t hash = 0;
-            for (const float number : key)
-                hash = hash * 1099511628211u + std::bit_cast<std::uint32_t>(number);
-            return hash ^ (hash >> 29u);
-        }
-    };
-    std::unordered_map<Key, std::uint32_t, Hash> first_of;
-    first_of.reserve(mesh.vertices.size());
-    std::vector<std::uint32_t> first;
-    first.reserve(mesh.vertices.size());
-    const float step = in_position_alone ? position_rounding * size_of(mesh) : 0;
-    for (const MeshVertex& vertex : mesh.vertices) {
-        const glm::vec3 place = step > 0 ? glm::round(vertex.position / step) : vertex.position;
-        // + 0 makes −0 the same.
-        Key key{place.x + 0, place.y + 0, place.z + 0};
-        if (!in_position_alone) {
-            key[3] = vertex.normal.x + 0;
-            key[4] = vertex.normal.y + 0;
-            key[5] = vertex.normal.z + 0;
-            key[6] = vertex.uv.x + 0;
-            key[7] = vertex.uv.y + 0;
-        }
-        first.push_back(first_of.emplace(key, static_cast<std::uint32_t>(first.size())).first->second);
-    }
-    return first;
 }
 
 /// Sets of triangles that grow together.
@@ -151,7 +106,7 @@ void find_chart_periods(BaseMesh& mesh, std::uint32_t charts) {
             high[chart] = glm::max(high[chart], mesh.vertices[corner].uv);
         }
     }
-    for_each_pair(sorted_sides(mesh, alike(mesh, true)), [&](const ChartSide& a, const ChartSide& b) {
+    for_each_pair(sorted_sides(mesh, first_in_place(mesh.vertices)), [&](const ChartSide& a, const ChartSide& b) {
         const std::uint32_t chart = mesh.charts[a.triangle];
         if (chart != mesh.charts[b.triangle]) return;
         const glm::vec2 period = period_of_seam(mesh, a, b);
@@ -179,7 +134,7 @@ bool covers_unit_square(const BaseMesh& mesh) {
             if (!is_in_square(mesh.vertices[corner])) return false;
     }
     if (std::abs(std::abs(area) - 1) > 0.5) return false;
-    const std::vector<ChartSide> sides = sorted_sides(mesh, alike(mesh, false));
+    const std::vector<ChartSide> sides = sorted_sides(mesh, first_alike(mesh.vertices));
     const auto is_on_border = [&](const ChartSide& side) {
         const glm::vec2 from = mesh.vertices[side.vertices[0]].uv;
         const glm::vec2 to = mesh.vertices[side.vertices[1]].uv;
@@ -198,7 +153,7 @@ bool covers_unit_square(const BaseMesh& mesh) {
 
 void find_charts(BaseMesh& mesh) {
     TriangleSets sets(mesh.triangles.size());
-    for_each_pair(sorted_sides(mesh, alike(mesh, false)), [&](const ChartSide& a, const ChartSide& b) {
+    for_each_pair(sorted_sides(mesh, first_alike(mesh.vertices)), [&](const ChartSide& a, const ChartSide& b) {
         const bool turn_alike = chart_area(mesh, a.triangle) * chart_area(mesh, b.triangle) > 0;
         if (turn_alike) sets.join(a.triangle, b.triangle);
     });
@@ -226,7 +181,7 @@ glm::dvec2 shortest_way(glm::dvec2 difference, glm::dvec2 period) {
 
 std::size_t count_torn_sides(const BaseMesh& mesh) {
     std::size_t torn = 0;
-    for_each_pair(sorted_sides(mesh, alike(mesh, true)), [&](const ChartSide& a, const ChartSide& b) {
+    for_each_pair(sorted_sides(mesh, first_in_place(mesh.vertices)), [&](const ChartSide& a, const ChartSide& b) {
         const auto differs = [&](std::size_t end) {
             return !is_same_normal(mesh.vertices[a.vertices[end]].normal, mesh.vertices[b.vertices[end]].normal);
         };

@@ -9,9 +9,9 @@
 
 namespace reliefbench {
 
-/// Sets `charts`, `chart_periods` and `is_unit_square` of a mesh that has its vertices and triangles. Triangles are of one chart where
-/// they share a side with the same positions, normals and (u, v) at both ends and (u, v) turn the same way on them, so
-/// that a chart nowhere folds over. Charts are numbered in the order of their first triangles.
+/// Sets `charts`, `chart_periods` and `is_unit_square` of a mesh that has its vertices and triangles. Triangles are of
+/// one chart where they share a side with the same positions, normals and (u, v) at both ends and (u, v) turn the same
+/// way on them, so that a chart nowhere folds over. Charts are numbered in the order of their first triangles.
 void find_charts(BaseMesh& mesh);
 
 /// After how much of u, and of v, the chart of a triangle meets itself again, 0 where it does not; of no_triangle 0,

@@ -4,17 +4,15 @@
 #include "core/error.hpp"
 #include "scene/surface/charts.hpp"
 #include "scene/surface/mesh_file.hpp"
+#include "scene/surface/vertex_places.hpp"
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 
 namespace reliefbench {
 
@@ -71,52 +69,37 @@ std::size_t drop(FileMesh& mesh, bool (*stays)(const FileMesh&, const BaseMesh::
     return std::erase_if(mesh.triangles, [&](const BaseMesh::Triangle& corners) { return !stays(mesh, corners); });
 }
 
-/// By place: vertices that a file has several times, for the sake of their (u, v), share one sum.
-class NormalSums {
-public:
-    explicit NormalSums(const FileMesh& mesh) {
-        for (const BaseMesh::Triangle& corners : mesh.triangles)
-            add(mesh, corners);
-    }
-
-    /// The unit vector; (0, 0, 0) where facets cancel out.
-    glm::vec3 at(const glm::vec3& position) const {
-        const glm::dvec3 sum = sums_.at(key(position));
-        const double length = glm::length(sum);
-        return length > 0 && std::isfinite(length) ? glm::vec3(sum / length) : glm::vec3(0);
-    }
-
-private:
-    using Key = std::array<float, 3>;
-    struct Hash {
-        std::size_t operator()(const Key& key) const {
-            std::size_t hash = 0;
-            for (const float number : key)
-                hash = hash * 1099511628211u + std::bit_cast<std::uint32_t>(number);
-            return hash ^ (hash >> 29u);
-        }
-    };
-    static Key key(const glm::vec3& position) { return {position.x + 0, position.y + 0, position.z + 0}; }
-
-    void add(const FileMesh& mesh, const BaseMesh::Triangle& corners) {
+/// By vertex, the sum over the facets around its place, each weighted by its area and its angle there. Vertices that a
+/// file has several times share one.
+std::vector<glm::dvec3> normal_sums(const FileMesh& mesh) {
+    const std::vector<std::uint32_t> first = first_in_place(mesh.vertices);
+    std::vector<glm::dvec3> sums(mesh.vertices.size(), glm::dvec3(0));
+    for (const BaseMesh::Triangle& corners : mesh.triangles) {
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const glm::dvec3 here = position_of(mesh, corners[corner]);
             const glm::dvec3 next = position_of(mesh, corners[(corner + 1) % 3]) - here;
             const glm::dvec3 last = position_of(mesh, corners[(corner + 2) % 3]) - here;
             const glm::dvec3 doubled_area = glm::cross(next, last);
             const double angle = std::atan2(glm::length(doubled_area), glm::dot(next, last));
-            sums_[key(mesh.vertices[corners[corner]].position)] += angle * doubled_area;
+            sums[first[corners[corner]]] += angle * doubled_area;
         }
     }
+    for (std::size_t vertex = 0; vertex < sums.size(); ++vertex)
+        sums[vertex] = sums[first[vertex]];
+    return sums;
+}
 
-    std::unordered_map<Key, glm::dvec3, Hash> sums_;
-};
+/// (0, 0, 0) where facets cancel out.
+glm::vec3 unit_or_zero(const glm::dvec3& sum) {
+    const double length = glm::length(sum);
+    return length > 0 && std::isfinite(length) ? glm::vec3(sum / length) : glm::vec3(0);
+}
 
 /// How many vertices still have none then.
 std::size_t add_missing_normals(FileMesh& mesh) {
     const auto has_none = [](const MeshVertex& vertex) { return vertex.normal == glm::vec3(0); };
     if (std::ranges::none_of(mesh.vertices, has_none)) return 0;
-    const NormalSums sums(mesh);
+    const std::vector<glm::dvec3> sums = normal_sums(mesh);
     std::size_t without = 0;
     for (const BaseMesh::Triangle& corners : mesh.triangles) {
         const glm::dvec3 facet =
@@ -125,7 +108,7 @@ std::size_t add_missing_normals(FileMesh& mesh) {
         for (const std::uint32_t corner : corners) {
             MeshVertex& vertex = mesh.vertices[corner];
             if (!has_none(vertex)) continue;
-            vertex.normal = sums.at(vertex.position);
+            vertex.normal = unit_or_zero(sums[corner]);
             if (!has_none(vertex)) continue;
             vertex.normal = glm::vec3(facet);
             ++without;
@@ -157,12 +140,7 @@ void drop_unused_vertices(FileMesh& mesh) {
 
 /// BaseSource::Fit::unit. What positions were multiplied by.
 double fit_to_patch(std::vector<MeshVertex>& vertices) {
-    glm::dvec3 low(std::numeric_limits<double>::infinity());
-    glm::dvec3 high(-std::numeric_limits<double>::infinity());
-    for (const MeshVertex& vertex : vertices) {
-        low = glm::min(low, glm::dvec3(vertex.position));
-        high = glm::max(high, glm::dvec3(vertex.position));
-    }
+    const auto [low, high] = position_bounds(vertices);
     const glm::dvec3 size = high - low;
     const double scale = 1 / std::max({size.x, size.y, size.z});
     for (MeshVertex& vertex : vertices)

@@ -1,6 +1,6 @@
 #include "core/error.hpp"
-#include "core/file.hpp"
 #include "core/json.hpp"
+#include "scene/surface/gltf_container.hpp"
 #include "scene/surface/mesh_file.hpp"
 
 #include <glm/common.hpp>
@@ -29,50 +29,10 @@ namespace reliefbench {
 
 namespace {
 
-/// What of a file has to do with triangles: tinygltf does not get to see the rest, whose readers trust what they read.
-constexpr std::array<const char*, 8> geometry_members{"asset",  "scene",     "scenes",      "nodes",
-                                                      "meshes", "accessors", "bufferViews", "buffers"};
-
-/// What a file may need and is read all the same: more types of numbers, and what concerns materials and lights alone.
-bool is_understood_extension(const std::string& name) {
-    for (const std::string_view prefix : {"KHR_materials_", "KHR_lights_", "EXT_texture_", "KHR_texture_basisu"}) {
-        if (name.starts_with(prefix)) return true;
-    }
-    return name == "KHR_mesh_quantization";
-}
-
-bool is_compression(const std::string& name) {
-    return name == "KHR_draco_mesh_compression" || name == "EXT_meshopt_compression" ||
-           name == "KHR_meshopt_compression";
-}
-
-/// The buffer without a "uri" is the binary chunk of a .glb.
-constexpr const char* name_of_chunk = "binary-chunk";
-
-/// Where tinygltf gets its buffers from.
-struct GltfBuffers {
-    std::filesystem::path folder;
-    std::string_view chunk;
-    /// Of the chunk, which may be followed by padding.
-    std::size_t chunk_length = 0;
-};
-
-bool read_gltf_buffer(std::vector<unsigned char>* bytes, std::string* error, const std::string& name, void* user) {
-    const auto& buffers = *static_cast<const GltfBuffers*>(user);
-    if (name == name_of_chunk) {
-        const std::string_view used = buffers.chunk.substr(0, buffers.chunk_length);
-        bytes->assign(used.begin(), used.end());
-        return true;
-    }
-    const std::filesystem::path file = buffers.folder / name;
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file, ignored)) {
-        *error = "there is no such file";
-        return false;
-    }
+/// Where tinygltf gets its buffers from: `user` is the container.
+bool give_buffer(std::vector<unsigned char>* bytes, std::string* error, const std::string& name, void* user) {
     try {
-        const std::string content = read_text_file(file, max_mesh_file_bytes);
-        bytes->assign(content.begin(), content.end());
+        *bytes = gltf_buffer(*static_cast<const GltfContainer*>(user), name);
     } catch (const Error& problem) {
         *error = problem.what();
         return false;
@@ -80,105 +40,22 @@ bool read_gltf_buffer(std::vector<unsigned char>* bytes, std::string* error, con
     return true;
 }
 
-/// A .glb's JSON and binary chunk, or a .gltf as it is.
-struct GltfContainer {
-    std::string_view json;
-    std::optional<std::string_view> chunk;
-};
-
-std::uint32_t little_endian(std::string_view bytes, std::size_t place) {
-    std::uint32_t number = 0;
-    for (std::size_t byte = 4; byte-- > 0;)
-        number = number << 8u | static_cast<unsigned char>(bytes[place + byte]);
-    return number;
-}
-
-GltfContainer open_container(const std::filesystem::path& path, std::string_view bytes) {
-    constexpr std::size_t header = 12;
-    constexpr std::size_t chunk_header = 8;
-    constexpr std::uint32_t json_type = 0x4E4F534A;
-    constexpr std::uint32_t binary_type = 0x004E4942;
-    if (!bytes.starts_with("glTF")) return {bytes, std::nullopt};
-    const auto fail_cut_short = [&] { fail("mesh '{}' is cut short: fetch or export it again", path.string()); };
-    if (bytes.size() < header + chunk_header) fail_cut_short();
-    if (const std::uint32_t version = little_endian(bytes, 4); version != 2) {
-        fail("mesh '{}' is of version {} of glTF: export it as glTF 2.0", path.string(), version);
-    }
-    const std::uint32_t length = little_endian(bytes, 8);
-    if (length > bytes.size()) fail_cut_short();
-    bytes = bytes.substr(0, length);
-    GltfContainer container;
-    std::size_t place = header;
-    for (int chunk = 0; place + chunk_header <= bytes.size(); ++chunk) {
-        const std::uint32_t size = little_endian(bytes, place);
-        const std::uint32_t type = little_endian(bytes, place + 4);
-        place += chunk_header;
-        if (size > bytes.size() - place) fail_cut_short();
-        if (chunk == 0 && type == json_type) container.json = bytes.substr(place, size);
-        if (chunk == 1 && type == binary_type) container.chunk = bytes.substr(place, size);
-        place += size;
-    }
-    if (container.json.empty()) fail("mesh '{}' has no JSON chunk first, and is no glTF 2.0 file", path.string());
-    return container;
-}
-
-void check_extensions(const std::filesystem::path& path, const Json& gltf) {
-    const auto required = gltf.find("extensionsRequired");
-    if (required == gltf.end() || !required->is_array()) return;
-    for (const Json& name : *required) {
-        if (!name.is_string() || is_understood_extension(name)) continue;
-        fail("mesh '{}' needs the glTF extension {}, which is not read: export it without {}", path.string(),
-             name.get<std::string>(), is_compression(name) ? "compression" : "it");
-    }
-}
-
-/// The part of the file that tinygltf gets, with a name for the binary chunk.
-std::string geometry_of(const std::filesystem::path& path, const Json& gltf, GltfBuffers& buffers) {
-    Json geometry = Json::object();
-    for (const char* member : geometry_members) {
-        if (const auto found = gltf.find(member); found != gltf.end()) geometry[member] = *found;
-    }
-    const auto listed = geometry.find("buffers");
-    if (listed == geometry.end() || !listed->is_array()) fail("mesh '{}' has no buffers", path.string());
-    for (Json& buffer : *listed) {
-        if (!buffer.is_object() || buffer.contains("uri")) continue;
-        const Json length = buffer.value("byteLength", Json());
-        if (&buffer != &listed->front() || !length.is_number_unsigned() || buffers.chunk.empty()) {
-            fail("mesh '{}' has a buffer without content: export it with its buffers, as a .glb", path.string());
-        }
-        buffers.chunk_length = length.get<std::size_t>();
-        if (buffers.chunk_length > buffers.chunk.size()) {
-            fail("mesh '{}' has a buffer of {} bytes in a binary chunk of {}: it is damaged", path.string(),
-                 buffers.chunk_length, buffers.chunk.size());
-        }
-        buffer["uri"] = name_of_chunk;
-    }
-    return geometry.dump();
-}
-
+/// tinygltf gets to see the part that has to do with triangles alone: its readers trust what they read.
 tinygltf::Model load_model(const std::filesystem::path& path) {
-    const std::string bytes = read_text_file(path, max_mesh_file_bytes);
-    check_mesh_size(path, 3 * bytes.size(), 0);
-    const GltfContainer container = open_container(path, bytes);
-    const Json gltf = parse_json(container.json, path.string());
-    if (!gltf.is_object() || !gltf.contains("asset"))
-        fail("mesh '{}' is no glTF 2.0 file: it has no \"asset\"", path.string());
-    check_extensions(path, gltf);
-    GltfBuffers buffers{.folder = path.parent_path(), .chunk = container.chunk.value_or(std::string_view())};
-    const std::string geometry = geometry_of(path, gltf, buffers);
+    GltfContainer container = open_gltf(path);
     tinygltf::TinyGLTF loader;
     loader.SetFsCallbacks({.FileExists = [](const std::string&, void*) { return true; },
                            .ExpandFilePath = [](const std::string& name, void*) { return name; },
-                           .ReadWholeFile = read_gltf_buffer,
+                           .ReadWholeFile = give_buffer,
                            .WriteWholeFile = nullptr,
-                           .user_data = &buffers});
+                           .user_data = &container});
     tinygltf::Model model;
     std::string errors;
     std::string warnings;
     bool loaded = false;
     try {
-        loaded = loader.LoadASCIIFromString(&model, &errors, &warnings, geometry.data(),
-                                            static_cast<unsigned>(geometry.size()), "");
+        loaded = loader.LoadASCIIFromString(&model, &errors, &warnings, container.geometry.data(),
+                                            static_cast<unsigned>(container.geometry.size()), "");
     } catch (const std::logic_error& problem) {
         errors += problem.what();
     } catch (const nlohmann::json::exception& problem) {
