@@ -280,8 +280,8 @@ TEST(MotionChanges, GoTheShortestWayRoundAChartAndLeaveOutOtherCharts) {
     const auto follow = [&](const Image<std::uint8_t>& first, const Image<std::uint8_t>& second) {
         TruthFrame before = pair.first.truth();
         TruthFrame after = pair.second.truth();
-        before.charts.emplace(entries, first);
-        after.charts.emplace(entries, second);
+        before.charts.emplace(FrameCharts{entries, first});
+        after.charts.emplace(FrameCharts{entries, second});
         return follow_truth(before, after, relief);
     };
     const Image<std::uint8_t> on_chart(resolution, 0);
