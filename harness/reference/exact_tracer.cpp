@@ -303,4 +303,10 @@ std::optional<ExactHit> ExactTracer::trace(const Ray& ray) const {
                     path.t_top + s * path.t_per_s};
 }
 
+void ExactTracer::trace(std::span<const Ray> rays, std::span<std::optional<ExactHit>> hits) const {
+    assert(rays.size() == hits.size());
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        hits[i] = trace(rays[i]);
+}
+
 }  // namespace reliefbench

@@ -38,6 +38,7 @@ PixelRays::PixelRays(const Camera& camera, Resolution resolution, const Parallel
     : parallel_(camera.projection == Projection::parallel),
       resolution_(resolution),
       window_(window),
+      shift_(camera.shift),
       frame_(camera_frame(camera)) {
     assert(resolution.width > 0 && resolution.height > 0);
     const glm::dvec2 extent = half_extent(camera, resolution);
@@ -46,8 +47,8 @@ PixelRays::PixelRays(const Camera& camera, Resolution resolution, const Parallel
 }
 
 Ray PixelRays::at(double i, double j) const {
-    const double across = (i + 0.5) / resolution_.width;
-    const double down = (j + 0.5) / resolution_.height;
+    const double across = (i + 0.5) / resolution_.width + shift_.x;
+    const double down = (j + 0.5) / resolution_.height + shift_.y;
     if (parallel_) {
         const glm::dvec2 size = window_.high - window_.low;
         const glm::dvec3 place{window_.low.x + across * size.x, window_.high.y - down * size.y, 0.0};
@@ -72,13 +73,27 @@ std::optional<glm::dvec2> PixelRays::project(glm::dvec3 point) const {
         across = (glm::dot(from_eye, across_) / (depth * glm::dot(across_, across_)) + 1) / 2;
         down = (1 - glm::dot(from_eye, upwards_) / (depth * glm::dot(upwards_, upwards_))) / 2;
     }
-    return glm::dvec2(across * resolution_.width - 0.5, down * resolution_.height - 0.5);
+    return glm::dvec2((across - shift_.x) * resolution_.width - 0.5, (down - shift_.y) * resolution_.height - 0.5);
 }
 
 double cosine_of_picture_corner(const Camera& camera, Resolution resolution) {
     const glm::dvec2 extent = half_extent(camera, resolution);
     return 1 / std::sqrt(1 + glm::dot(extent, extent));
 }
+
+namespace {
+
+/// Moves what a projection shows by the camera's shift, against it.
+glm::dmat4 shifted(glm::dmat4 clip, const Camera& camera) {
+    if (camera.shift == glm::dvec2(0)) return clip;
+    for (int column = 0; column < 4; ++column) {
+        clip[column].x -= 2 * camera.shift.x * clip[column].w;
+        clip[column].y -= 2 * camera.shift.y * clip[column].w;
+    }
+    return clip;
+}
+
+}  // namespace
 
 glm::dmat4 perspective_clip(const Camera& camera, Resolution resolution, double near) {
     assert(resolution.width > 0 && resolution.height > 0);
@@ -94,7 +109,7 @@ glm::dmat4 perspective_clip(const Camera& camera, Resolution resolution, double 
     }
     clip[3] = {-glm::dot(x, frame.eye), -glm::dot(y, frame.eye), -glm::dot(depth, frame.eye) - near,
                -glm::dot(depth, frame.eye)};
-    return clip;
+    return shifted(clip, camera);
 }
 
 glm::dmat4 parallel_clip(const Camera& camera, const ParallelWindow& window) {
@@ -109,7 +124,7 @@ glm::dmat4 parallel_clip(const Camera& camera, const ParallelWindow& window) {
     clip[2] = {-scale.x * slide_x, scale.y * slide_y, -1 / window.depth, 0};
     // From 0, so that a centred window leaves no negative zero.
     clip[3] = {0 - scale.x * centre.x, scale.y * centre.y, window.top / window.depth, 1};
-    return clip;
+    return shifted(clip, camera);
 }
 
 }  // namespace reliefbench

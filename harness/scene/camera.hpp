@@ -28,6 +28,9 @@ struct Camera {
     double distance = 1.5;
     /// Vertical field of view; perspective only.
     double fov = 45;
+    /// How far beside the pixels' centres their rays run, to the right and downwards, as fractions of the picture's
+    /// width and height: a frame of a sequence has another one than the next.
+    glm::dvec2 shift{0, 0};
 
     bool operator==(const Camera&) const = default;
 };
@@ -69,6 +72,7 @@ private:
     bool parallel_;
     Resolution resolution_;
     ParallelWindow window_;
+    glm::dvec2 shift_;
     CameraFrame frame_;
     /// `right` and `up` times the tangents of the half angles that the picture spans.
     glm::dvec3 across_;

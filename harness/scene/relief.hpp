@@ -51,6 +51,9 @@ struct View {
     Resolution resolution{256, 256};
     SelfShadow self_shadow = {};
     DepthWrite depth_write = DepthWrite::on;
+    /// Which frame of a sequence it is, from 0: the camera's shift and what techniques vary by frame change with it.
+    /// Empty for a picture by itself, whose shaders know no frames; its camera has no shift.
+    std::optional<int> frame = {};
 
     bool operator==(const View&) const = default;
 };

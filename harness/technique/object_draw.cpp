@@ -43,11 +43,12 @@ gpu::CompiledStage compile(const gpu::Device& device, const std::filesystem::pat
 
 }  // namespace
 
-ObjectOnDevice::ObjectOnDevice(const gpu::Device& device, const SceneObject& object, const BaseSurface& base,
+ObjectOnDevice::ObjectOnDevice(const gpu::Device& device, const SceneObject& object, const View& view,
                                std::filesystem::path shaders, const gpu::Binding& scene)
     : device_(&device),
       shape_(object.shape),
-      preamble_((indexes_scene(device) ? "#define RELIEFBENCH_INDEXED_SCENE 1\n" : "") + declare_base(base)),
+      preamble_((indexes_scene(device) ? "#define RELIEFBENCH_INDEXED_SCENE 1\n" : "") +
+                declare_rays(view.relief.base, view)),
       shaders_(std::move(shaders)),
       scene_(scene),
       uniforms_(upload(device, object)) {}

@@ -4,8 +4,8 @@
 
 #include "gpu/memory.hpp"
 #include "gpu/pipeline.hpp"
+#include "scene/relief.hpp"
 #include "scene/scene_object.hpp"
-#include "scene/surface/base_surface.hpp"
 
 #include <filesystem>
 #include <string>
@@ -16,9 +16,9 @@ namespace reliefbench {
 /// The scene's object on the device.
 class ObjectOnDevice {
 public:
-    /// `base`: what the relief lies on; `shaders`: the folder of the shared GLSL; `scene`: the binding of the scene's
+    /// `view`: in which it stands; `shaders`: the folder of the shared GLSL; `scene`: the binding of the scene's
     /// uniforms, which must outlive it.
-    ObjectOnDevice(const gpu::Device& device, const SceneObject& object, const BaseSurface& base,
+    ObjectOnDevice(const gpu::Device& device, const SceneObject& object, const View& view,
                    std::filesystem::path shaders, const gpu::Binding& scene);
 
     /// Draws it with three vertices into targets of these formats: its colour with an alpha of `object_alpha`, and its

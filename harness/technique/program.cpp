@@ -207,10 +207,12 @@ bool indexes_scene(const gpu::Device& device) {
     return device.info().type == gpu::DeviceType::cpu;
 }
 
-std::string declare_base(const BaseSurface& base) {
-    if (is_flat(base)) return "";
-    return std::string("#define RELIEFBENCH_CURVED 1\n") +
-           (curved_base(base).is_unit_square ? "" : "#define RELIEFBENCH_CHARTS 1\n");
+std::string declare_rays(const BaseSurface& base, const View& view) {
+    std::string text = view.frame ? "#define RELIEFBENCH_FRAMES 1\n" : "";
+    if (is_flat(base)) return text;
+    text += "#define RELIEFBENCH_CURVED 1\n";
+    if (!curved_base(base).is_unit_square) text += "#define RELIEFBENCH_CHARTS 1\n";
+    return text;
 }
 
 std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Technique& technique,
@@ -231,9 +233,9 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
                                   compile_time_key(manifest, parameters));
     const BaseSurface base = drawn_base(manifest, view.relief.base);
     const std::string of_pipeline = pipeline_of(manifest).preamble(manifest, parameters, base);
-    const std::string of_base = declare_base(base);
-    preamble += of_pipeline + of_base;
-    key += of_pipeline + of_base;
+    const std::string of_rays = declare_rays(base, view);
+    preamble += of_pipeline + of_rays;
+    key += of_pipeline + of_rays;
 
     std::vector<gpu::CompiledStage> stages;
     for (const std::string& file : stage_files(manifest.shape.kind)) {

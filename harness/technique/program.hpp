@@ -16,8 +16,8 @@ namespace reliefbench {
 /// that, within the timestamps (3 ms and more a draw), and keeps it until the pipeline is gone (1 MB a submission).
 bool indexes_scene(const gpu::Device& device);
 
-/// What shaders of a base are compiled with: empty for a flat one.
-std::string declare_base(const BaseSurface& base);
+/// What shaders that know the pixels' rays are compiled with: empty over a flat base, for a picture by itself.
+std::string declare_rays(const BaseSurface& base, const View& view);
 
 /// The two compilations of a technique's draw, and of its passes.
 enum class Variant { timed, probed };

@@ -175,7 +175,7 @@ DrawSetup Renderer::State::make_setup(const View& from, const gpu::Buffer& value
             result.bindings.push_back(binding);
     }
     if (object)
-        result.object.emplace(device, *object, from.relief.base, technique.shaders,
+        result.object.emplace(device, *object, from, technique.shaders,
                               gpu::uniform_buffer(scene_block_name, values.buffer));
     result.geometry = geometry_of(from);
     for (int i = 0; i < 3; ++i)
@@ -261,9 +261,10 @@ Probe Renderer::probe() {
     return probe;
 }
 
-Probe Renderer::probe_from(const Camera& camera) {
+Probe Renderer::probe_from(const Camera& camera, std::optional<int> frame) {
     View view = state_->view;
     view.camera = camera;
+    view.frame = frame;
     const gpu::Buffer uniforms = state_->make_uniforms(view);
     return state_->probe(state_->make_setup(view, uniforms));
 }

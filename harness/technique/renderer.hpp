@@ -136,8 +136,9 @@ public:
     /// The same for all renderers whose maps are made in the same way from the same height map, whatever they draw.
     std::string maps_key() const;
     Probe probe();
-    /// The same from another camera, with the maps prepared once.
-    Probe probe_from(const Camera& camera);
+    /// The same from another camera, with the maps prepared once; of a sequence's frame where one is given
+    /// (View::frame).
+    Probe probe_from(const Camera& camera, std::optional<int> frame = std::nullopt);
     TimedPicture draw_timed(ColourTarget target);
     PipelineStatistics pipeline_statistics();
     ExecutableStatistics executable_statistics();

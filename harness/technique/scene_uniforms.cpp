@@ -48,6 +48,8 @@ SceneUniforms make_scene_uniforms(const View& view, const Lighting& lighting, co
     uniforms.window_low = glm::vec2(window.low);
     uniforms.window_size = glm::vec2(window.high - window.low);
     uniforms.window_top = static_cast<float>(window.top);
+    uniforms.frame = view.frame.value_or(0);
+    uniforms.shift = glm::vec2(view.camera.shift);
     return uniforms;
 }
 

@@ -43,13 +43,16 @@ struct SceneUniforms {
     glm::vec2 window_low;
     glm::vec2 window_size;
     float window_top;
-    std::array<float, 3> unused;
+    /// From here on of frames of a sequence only: View::frame and Camera::shift.
+    std::int32_t frame;
+    glm::vec2 shift;
 };
 static_assert(offsetof(SceneUniforms, eye) == 64);
 static_assert(offsetof(SceneUniforms, light_direction) == 128);
 static_assert(offsetof(SceneUniforms, ambient) == 224);
 static_assert(offsetof(SceneUniforms, resolution) == 272);
 static_assert(offsetof(SceneUniforms, window_low) == 304);
+static_assert(offsetof(SceneUniforms, shift) == 328);
 static_assert(sizeof(SceneUniforms) == 336);
 
 /// The name of the uniform block in harness/shaders/contract/scene.glsl.

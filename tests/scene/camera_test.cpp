@@ -92,6 +92,32 @@ TEST(Camera, PointsOnAPixelsRayAreProjectedToThePixel) {
     }
 }
 
+TEST(Camera, ShiftedRaysAreThoseBesideThePixelsCentres) {
+    for (const Projection projection : {Projection::perspective, Projection::parallel}) {
+        for (Camera camera : cameras(projection)) {
+            const Resolution size{8, 5};
+            const PixelRays centred(camera, size);
+            camera.shift = {0.25 / size.width, -0.375 / size.height};
+            const PixelRays shifted(camera, size);
+            const glm::dmat4 clip = clip_from_world(View{.camera = camera, .relief = {}, .resolution = size});
+            for (const glm::dvec2 pixel : {glm::dvec2(0, 0), glm::dvec2(6, 3)}) {
+                const Ray ray = shifted.at(pixel.x, pixel.y);
+                const Ray expected = centred.at(pixel.x + 0.25, pixel.y - 0.375);
+                expect_near(ray.origin, expected.origin);
+                expect_near(ray.direction, expected.direction);
+                const glm::dvec3 point = ray.origin + 1.2 * ray.direction;
+                const auto seen = shifted.project(point);
+                ASSERT_TRUE(seen);
+                EXPECT_NEAR(seen->x, pixel.x, 1e-10);
+                EXPECT_NEAR(seen->y, pixel.y, 1e-10);
+                const glm::dvec3 device = project(clip, point);
+                EXPECT_NEAR((device.x + 1) / 2 * size.width, pixel.x + 0.5, 1e-10);
+                EXPECT_NEAR((device.y + 1) / 2 * size.height, pixel.y + 0.5, 1e-10);
+            }
+        }
+    }
+}
+
 TEST(Camera, WhatIsBehindTheEyeIsSeenNowhere) {
     const Camera camera{Projection::perspective, 60, 0, 1.5, 45};
     const CameraFrame frame = camera_frame(camera);

@@ -66,5 +66,36 @@ TEST_F(CameraOnDevice, AProbeFromAnotherCameraIsTheOneOfItsView) {
     }
 }
 
+TEST_F(CameraOnDevice, AFramesShiftMovesItsRaysAndItsTriangles) {
+    const TechniqueLibrary shipped = find_techniques({default_technique_root()});
+    const HeightMap map = make_map({16, 16}, [](int x, int y) { return 0.05 * ((3 * x + 5 * y) % 17); });
+    const SceneOnDevice scene(device(), map, grey_albedo());
+    for (const char* technique : {"flat", "tessellation"}) {
+        for (const Projection projection : {Projection::perspective, Projection::parallel}) {
+            View view = make_view(35, projection, {48, 32});
+            view.camera.azimuth = -60;
+            Renderer renderer = make_renderer(device(), shipped.get(technique), scene, view);
+            const Probe centred = renderer.probe_from(view.camera, 0);
+            EXPECT_EQ(centred.hits.texels, renderer.probe().hits.texels)
+                << "without a shift it is the picture by itself";
+            // Whole pixels: what was at (3, 2) is at (0, 0).
+            view.camera.shift = {3.0 / 48, 2.0 / 32};
+            const Probe shifted = renderer.probe_from(view.camera, 1);
+            int compared = 0;
+            for (int j = 0; j < 30; ++j) {
+                for (int i = 0; i < 45; ++i) {
+                    const Hit& hit = shifted.hits.at(i, j);
+                    const Hit& expected = centred.hits.at(i + 3, j + 2);
+                    if (!hit.is_hit() || !expected.is_hit()) continue;
+                    ++compared;
+                    EXPECT_NEAR(hit.u, expected.u, entry_tolerance) << technique;
+                    EXPECT_NEAR(hit.v, expected.v, entry_tolerance) << technique;
+                }
+            }
+            EXPECT_GT(compared, 100) << technique;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace reliefbench

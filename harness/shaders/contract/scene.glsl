@@ -27,11 +27,16 @@ struct SceneValues {
     ivec2 patches_per_side;
     ivec2 first_patch;  // may be negative where the relief repeats past the unit square
     ivec2 patch_count;
-#ifdef RELIEFBENCH_CURVED
-    // Of parallel rays: the part of z = 0 that fills the picture, and the height from which they start.
+#if defined(RELIEFBENCH_CURVED) || defined(RELIEFBENCH_FRAMES)
+    // Over a curved base, of parallel rays: the part of z = 0 that fills the picture, and the height from which they
+    // start.
     vec2 window_low;
     vec2 window_size;
     float window_top;
+#endif
+#ifdef RELIEFBENCH_FRAMES
+    int frame;   // of the sequence, from 0
+    vec2 shift;  // of the pixels' rays, to the right and downwards, in fractions of the picture's sides
 #endif
 };
 
@@ -68,6 +73,9 @@ struct ViewRay {
 
 ViewRay view_ray(vec2 fragment) {
     vec2 across = fragment / vec2(scene.resolution);
+#ifdef RELIEFBENCH_FRAMES
+    across += scene.shift;
+#endif
     if (scene.parallel_rays != 0) {
 #ifdef RELIEFBENCH_CURVED
         vec3 place = vec3(scene.window_low + vec2(across.x, 1.0 - across.y) * scene.window_size, 0.0);
