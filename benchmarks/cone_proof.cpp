@@ -5,10 +5,10 @@
 #include "verify/drawing.hpp"
 #include "verify/promise_checks.hpp"
 
+#include "core/cache_folder.hpp"
 #include "core/error.hpp"
 #include "gpu/device.hpp"
 #include "scene/procedural.hpp"
-#include "technique/map_cache.hpp"
 #include "verify/cone_maps.hpp"
 
 #include <fmt/format.h>
@@ -147,7 +147,7 @@ void overshoot(const gpu::Device& device, const TechniqueLibrary& library, const
         for (const double azimuth : azimuths) {
             const View view = steep_view(azimuth);
             const TruthComparison found =
-                compare_with_truth(device, technique, values, scene, view, {.cache = map_cache_folder()});
+                compare_with_truth(device, technique, values, scene, view, {.cache = cache_folder()});
             const auto footprint = static_cast<double>(found.errors.footprint);
             double unconverged = 0;
             double taps = 0;

@@ -10,6 +10,7 @@
 #include "cli/shared_options.hpp"
 #include "cli/threshold.hpp"
 #include "cli/variant_comparison.hpp"
+#include "core/cache_folder.hpp"
 #include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -23,7 +24,6 @@
 #include "store/device_share.hpp"
 #include "store/line_file.hpp"
 #include "technique/baseline_sources.hpp"
-#include "technique/map_cache.hpp"
 #include "technique/source_identity.hpp"
 
 #include <CLI/CLI.hpp>
@@ -158,7 +158,7 @@ std::function<void(const VariantVisit&)> keep_visits(std::optional<LineFile>& fi
 ExitCode compare_live(const AbOptions& options) {
     const double threshold = parse_threshold(options.threshold, "--threshold");
     VariantSettings settings;
-    settings.map_cache = map_cache_folder();
+    settings.map_cache = cache_folder();
     settings.budget_s = parse_duration(options.budget, "--budget");
     options.output.check();
     refuse_standard_output(options.output_folder, "it is a folder; the comparison goes to standard output anyway");

@@ -1,8 +1,8 @@
 #include "cli/bench_cells.hpp"
 
 #include "core/attempt.hpp"
+#include "core/cache_folder.hpp"
 #include "measure/motion.hpp"
-#include "technique/map_cache.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -27,7 +27,7 @@ BenchCells::BenchCells(const gpu::Device& device, const TechniqueLibrary& librar
     : configuration_(&configuration),
       cells_(&cells),
       inputs_(device, configuration.lighting, configuration.truth, configuration.object),
-      laboratory_(library, configuration, inputs_, {.cache = map_cache_folder()}) {}
+      laboratory_(library, configuration, inputs_, {.cache = cache_folder()}) {}
 
 const CellResult& BenchCells::prepare(std::size_t index) {
     const auto known = results_.find(index);

@@ -5,6 +5,7 @@
 #include "cli/render_options.hpp"
 #include "cli/results.hpp"
 #include "core/attempt.hpp"
+#include "core/cache_folder.hpp"
 #include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -17,7 +18,6 @@
 #include "measure/shared_inputs.hpp"
 #include "report/figure_lines.hpp"
 #include "scene/image_file.hpp"
-#include "technique/map_cache.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -184,7 +184,7 @@ ExitCode render(const RenderOptions& options) {
         tell(progress, printer, start_s);
     };
     SharedInputs inputs(device, configuration.lighting, configuration.truth, configuration.object);
-    Laboratory laboratory(library, configuration, inputs, {.cache = map_cache_folder(), .timed = false});
+    Laboratory laboratory(library, configuration, inputs, {.cache = cache_folder(), .timed = false});
     const Drawing drawing{laboratory, {.on_progress = on_progress}, shown_by(options), kind};
     ExitCode code = ExitCode::done;
     if (options.contact_sheet) {

@@ -6,6 +6,7 @@
 #include "cli/shared_options.hpp"
 #include "cli/shell_word.hpp"
 #include "cli/terminal.hpp"
+#include "core/cache_folder.hpp"
 #include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
@@ -23,7 +24,6 @@
 #include "store/resume.hpp"
 #include "store/run_folder.hpp"
 #include "store/stored_format.hpp"
-#include "technique/map_cache.hpp"
 
 #include <fmt/format.h>
 
@@ -164,7 +164,7 @@ RunOutcome measure(const RunJob& job, const gpu::Device& device, RunWriter& writ
                    WorkerStatus& status) {
     const Configuration& configuration = job.sources.configuration;
     if (configuration.images) write_legends(writer);
-    MapMaking maps{.cache = map_cache_folder(),
+    MapMaking maps{.cache = cache_folder(),
                    .failed = crashed_preparations(earlier.crashed_preparations),
                    .on_maps = [&status](const std::string& key) { status.begin_maps(key); }};
     DeviceCells source(device, job.sources.library, configuration, job.sources.cells, writer, std::move(maps));

@@ -10,6 +10,7 @@
 #include "compare/between_runs.hpp"
 #include "compare/run_noise.hpp"
 #include "compare/run_side.hpp"
+#include "core/cache_folder.hpp"
 #include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -26,7 +27,6 @@
 #include "store/device_share.hpp"
 #include "store/noise_record.hpp"
 #include "store/run_folder.hpp"
-#include "technique/map_cache.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -235,7 +235,7 @@ ExitCode selfcheck(SelfcheckOptions options) {
     record.configuration = sources.configuration.name;
     Comparison comparison;
     VariantSettings settings;
-    settings.map_cache = map_cache_folder();
+    settings.map_cache = cache_folder();
     settings.budget_s = share_within * budget_s;
     settings.seed = sources.configuration.seed;
     ExitCode code = ExitCode::done;

@@ -2,9 +2,9 @@
 #include "cli/results.hpp"
 #include "cli/shared_options.hpp"
 #include "cli/shell_word.hpp"
+#include "core/cache_folder.hpp"
 #include "core/counted.hpp"
 #include "sweep/configuration.hpp"
-#include "technique/map_cache.hpp"
 #include "verify/conformance.hpp"
 
 #include <CLI/CLI.hpp>
@@ -84,7 +84,7 @@ ExitCode verify(const VerifyOptions& options) {
     for (const Technique& technique : selected) {
         verify_technique(device, technique, [&](const Check& check) { count_check(check, &technique); },
                          {.limit_s = options.preparation.limit_s.value_or(PreparationSettings{}.limit_s),
-                          .cache = map_cache_folder()});
+                          .cache = cache_folder()});
     }
     print_results(fmt::format("{} of {} passed on {}{}\n", passed, counted(passed + failed, "check"),
                               device.info().name, skipped > 0 ? fmt::format(", {} skipped", skipped) : ""));

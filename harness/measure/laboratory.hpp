@@ -34,7 +34,7 @@ struct PreparedCell {
 
 /// What concerns making derived maps.
 struct MapMaking {
-    /// Where those that take long are kept (technique/map_cache.hpp); empty: nowhere.
+    /// Where those that take long are kept (core/cache_folder.hpp); empty: nowhere.
     std::filesystem::path cache = {};
     /// Of earlier executions.
     FailedPreparations failed = {};

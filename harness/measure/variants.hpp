@@ -25,7 +25,7 @@ struct Variants {
 };
 
 struct VariantSettings {
-    /// Where derived maps that take long to make are kept (technique/map_cache.hpp); empty: nowhere.
+    /// Where derived maps that take long to make are kept (core/cache_folder.hpp); empty: nowhere.
     std::filesystem::path map_cache = {};
     /// Wall time of sampling, divided among the cells. Preparing them and tracing their truths comes on top.
     double budget_s = 300;

@@ -126,7 +126,7 @@ TEST(Architecture, CellsAreMadeReadyInOnePlace) {
         // Thrown again: after the other threads, without the part of a file, with what Vulkan says.
         "core/parallel.cpp", "core/file.cpp", "gpu/handles.hpp",
         // Before or beside all cells: a folder that is no technique, maps that are not kept for the next run.
-        "technique/technique.cpp", "technique/map_cache.cpp"};
+        "technique/technique.cpp", "core/cache_folder.cpp"};
     EXPECT_EQ(catchers, expected_catchers);
 }
 

@@ -5,9 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <chrono>
-#include <cstdlib>
+#include <filesystem>
 
 namespace reliefbench {
 namespace {
@@ -63,43 +61,11 @@ TEST(MapCache, ADamagedFileIsNotUsed) {
     EXPECT_TRUE(read_kept_maps(folder.path(), key));
 }
 
-TEST(MapCache, ThoseUsedLongestAgoMakeRoom) {
-    const TemporaryFolder folder;
-    KeptMaps large = sample();
-    large.levels.emplace_back(1000);
-    for (const char* name : {"a", "b", "c"}) {
-        write_kept_maps(folder.path(), name, large);
-        // File systems keep times coarsely.
-        const fs::path file = folder / (std::string(name) + ".maps");
-        fs::last_write_time(file, fs::last_write_time(file) - std::chrono::hours(10 - name[0] + 'a'));
-    }
-    EXPECT_TRUE(read_kept_maps(folder.path(), "a")) << "now the one used last";
-    write_kept_maps(folder.path(), "d", large, 3 * 1300);
-    EXPECT_TRUE(fs::exists(folder / "a.maps"));
-    EXPECT_FALSE(fs::exists(folder / "b.maps"));
-    EXPECT_TRUE(fs::exists(folder / "c.maps"));
-    EXPECT_TRUE(fs::exists(folder / "d.maps"));
-}
-
 TEST(MapCache, AFolderThatCannotBeIsNoFailure) {
     const TemporaryFolder folder;
     write_text_file(folder / "file", "");
     EXPECT_NO_THROW(write_kept_maps(folder / "file", key, sample()));
     EXPECT_FALSE(read_kept_maps(folder / "file", key));
-}
-
-TEST(MapCache, TheFolderIsChosenByTheEnvironment) {
-    ::setenv("HOME", "/home/someone", 1);
-    ::unsetenv("XDG_CACHE_HOME");
-    ::unsetenv("RELIEFBENCH_CACHE_DIR");
-    EXPECT_EQ(map_cache_folder(), "/home/someone/.cache/reliefbench");
-    ::setenv("XDG_CACHE_HOME", "/caches", 1);
-    EXPECT_EQ(map_cache_folder(), "/caches/reliefbench");
-    ::setenv("RELIEFBENCH_CACHE_DIR", "/maps", 1);
-    EXPECT_EQ(map_cache_folder(), "/maps");
-    for (const char* name : {"HOME", "XDG_CACHE_HOME", "RELIEFBENCH_CACHE_DIR"})
-        ::unsetenv(name);
-    EXPECT_EQ(map_cache_folder(), "");
 }
 
 }  // namespace
