@@ -26,6 +26,8 @@ constexpr std::uint64_t device_upload = 8;
 
 /// Probe and truth, and what is computed from them.
 constexpr std::uint64_t host_pixel = 128;
+/// Of a truth of several samples: its noise and the picture of half of them.
+constexpr std::uint64_t host_filtered_pixel = 16;
 /// A second probe and its truth.
 constexpr std::uint64_t host_motion_pixel = 100;
 /// Targets and counters of the probed draw, one of them read back, and the timed draw's targets.
@@ -118,7 +120,8 @@ MemoryNeed cell_need(const Technique& technique, const Cell& cell, const BaseSur
                      const Configuration& configuration) {
     const std::uint64_t pixels = texels(cell.view.view.resolution);
     const std::uint64_t curved = is_flat(base) ? 0 : host_curved_pixel;
-    const std::uint64_t host = host_pixel + (configuration.motion ? host_motion_pixel + curved : 0);
+    const std::uint64_t filtered = configuration.truth.samples > 1 ? host_filtered_pixel : 0;
+    const std::uint64_t host = host_pixel + filtered + (configuration.motion ? host_motion_pixel + curved : 0);
     const std::uint64_t triangles = is_flat(base) ? 0 : base_bytes(curved_base(base));
     // What the device has of the triangles is gathered here first.
     return {pixels * host + truth_need(cell, base, sizes, configuration.truth) + triangles,

@@ -110,11 +110,10 @@ LoadedMap::LoadedMap(const gpu::Device& device, const HeightMapSource& source, H
 
 Truth trace_truth(const LoadedMap& loaded, const View& view, const Lighting& lighting, const TruthSettings& settings,
                   const std::optional<SceneObject>& object) {
-    Truth truth = settings.kind == TruthSettings::Kind::mesh
-                      ? trace_mesh_truth(loaded.map, loaded.albedo, view, lighting, settings.subdivision)
-                      : trace_exact_truth(loaded.map, loaded.albedo, view, lighting);
-    if (object) show_object(truth, *object, view, lighting);
-    return truth;
+    const TruthPicture picture{.samples = settings.samples, .object = object ? &*object : nullptr};
+    return settings.kind == TruthSettings::Kind::mesh
+               ? trace_mesh_truth(loaded.map, loaded.albedo, view, lighting, settings.subdivision, picture)
+               : trace_exact_truth(loaded.map, loaded.albedo, view, lighting, picture);
 }
 
 SharedInputs::SharedInputs(const gpu::Device& device, const Lighting& lighting, const TruthSettings& settings,
@@ -156,7 +155,7 @@ const Truth& SharedInputs::truth(const ViewKey& view) {
     if (!has_truth(view)) {
         const ViewKey key = truth_key(view);
         truth_.reset();
-        truth_.emplace(KeyedTruth{key, trace(key, this->view(key))});
+        truth_.emplace(KeyedTruth{key, trace(key, this->view(key), settings_)});
     }
     return truth_->truth;
 }
@@ -165,11 +164,13 @@ Truth SharedInputs::truth_from(const ViewKey& key, const Camera& camera) {
     View view = this->view(key);
     view.camera = camera;
     view.self_shadow = SelfShadow{};
-    return trace(key, view);
+    TruthSettings settings = settings_;
+    settings.samples = 1;
+    return trace(key, view, settings);
 }
 
-Truth SharedInputs::trace(const ViewKey& key, const View& view) {
-    Truth traced = trace_truth(map(key), view, lighting_, settings_, object_);
+Truth SharedInputs::trace(const ViewKey& key, const View& view, const TruthSettings& settings) {
+    Truth traced = trace_truth(map(key), view, lighting_, settings, object_);
     truth_seconds_ += traced.trace_ms / 1000.0;
     return traced;
 }

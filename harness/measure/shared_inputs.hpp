@@ -63,7 +63,8 @@ public:
     bool has_truth(const ViewKey& view) const;
     /// Valid until the truth of another view is asked for.
     const Truth& truth(const ViewKey& view);
-    /// The same view's from another camera, which is not kept, without shadows.
+    /// The same view's from another camera, which is not kept, without shadows and with a picture of one sample: what is
+    /// in motion are hits.
     Truth truth_from(const ViewKey& key, const Camera& camera);
     /// Frees what none of these views needs.
     void keep_only(const std::vector<ViewKey>& views);
@@ -86,7 +87,7 @@ private:
         Truth truth;
     };
 
-    Truth trace(const ViewKey& key, const View& view);
+    Truth trace(const ViewKey& key, const View& view, const TruthSettings& settings);
 
     const gpu::Device* device_;
     Lighting lighting_;

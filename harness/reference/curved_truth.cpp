@@ -3,7 +3,10 @@
 #include "core/log.hpp"
 #include "reference/curved_tracer.hpp"
 #include "reference/diced_mesh.hpp"
+#include "reference/filtered_truth.hpp"
 #include "reference/pixel_loop.hpp"
+#include "reference/sampled_relief.hpp"
+#include "reference/surface_shader.hpp"
 #include "reference/ties.hpp"
 #include "scene/shading_normal.hpp"
 #include "scene/surface/charts.hpp"
@@ -13,42 +16,108 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <span>
 
 namespace reliefbench {
 
 namespace {
 
+/// What a truth's rays hit: the relief itself, or the facets of a mesh around it.
+enum class HitBy { surface, facets };
+
+/// A hit stands for the surface over its (u, v): a facet's own point lies beside it, often in its own shadow.
+LitPoint lit_point(const Ray& ray, const CurvedHit& found, const BaseTriangle& triangle, HitBy hit_by,
+                   const HeightMap& map, const Relief& relief) {
+    const ExactHit& hit = found.hit;
+    const glm::dvec3 normal = glm::normalize(triangle.linear_normal({hit.u, hit.v}));
+    if (hit_by == HitBy::surface) return {.place = ray.origin + hit.t * ray.direction, .h = hit.h, .normal = normal};
+    const double h = map.sample(relief.tiling * hit.u, relief.tiling * hit.v);
+    return {.place = triangle.point({hit.u, hit.v}) + (h - 1) * relief.height_scale * normal, .h = h, .normal = normal};
+}
+
 /// A light's ray runs from beyond the whole relief towards the point, so that one part of a base shadows another.
+bool light_reaches(const CurvedTracer& tracer, const Relief& relief, const LitPoint& point,
+                   const glm::dvec3& to_light) {
+    const double rise = glm::dot(point.normal, to_light);
+    if (rise <= 0) return false;
+    // How much higher than the point a hit must be to shadow it, as over the plane.
+    const double tolerance = 2 * entry_tolerance * relief.height_scale / rise;
+    const BoundingSphere& bounds = tracer.bounds();
+    const double way = bounds.radius + glm::distance(bounds.centre, point.place);
+    return !tracer.trace({point.place + way * to_light, -to_light}, way - tolerance).has_value();
+}
+
 class LightPathsOverMesh final : public LightPaths {
 public:
-    LightPathsOverMesh(const Image<std::optional<CurvedHit>>& hits, const View& view, const CurvedTracer& tracer)
-        : hits_(hits), relief_(view.relief), rays_(pixel_rays(view)), tracer_(tracer) {}
+    LightPathsOverMesh(const Image<std::optional<CurvedHit>>& hits, HitBy hit_by, const HeightMap& map,
+                       const View& view, const CurvedTracer& tracer)
+        : hits_(hits), hit_by_(hit_by), map_(map), relief_(view.relief), rays_(pixel_rays(view)), tracer_(tracer) {}
 
     LitPoint point(std::size_t pixel) const override {
         const auto width = static_cast<std::size_t>(hits_.size.width);
         const Ray ray = rays_.at(static_cast<double>(pixel % width), static_cast<double>(pixel / width));
         const CurvedHit& hit = *hits_.texels[pixel];
-        const BaseTriangle triangle = base_triangle(curved_base(relief_.base), hit.triangle);
-        return {.place = ray.origin + hit.hit.t * ray.direction,
-                .h = hit.hit.h,
-                .normal = glm::normalize(triangle.linear_normal({hit.hit.u, hit.hit.v}))};
+        return lit_point(ray, hit, base_triangle(curved_base(relief_.base), hit.triangle), hit_by_, map_, relief_);
     }
 
     bool reaches(const LitPoint& point, const glm::dvec3& to_light) const override {
-        const double rise = glm::dot(point.normal, to_light);
-        if (rise <= 0) return false;
-        // How much higher than the point a hit must be to shadow it, as over the plane.
-        const double tolerance = 2 * entry_tolerance * relief_.height_scale / rise;
-        const BoundingSphere& bounds = tracer_.bounds();
-        const double way = bounds.radius + glm::distance(bounds.centre, point.place);
-        return !tracer_.trace({point.place + way * to_light, -to_light}, way - tolerance).has_value();
+        return light_reaches(tracer_, relief_, point, to_light);
     }
 
 private:
     const Image<std::optional<CurvedHit>>& hits_;
+    HitBy hit_by_;
+    const HeightMap& map_;
     Relief relief_;
     PixelRays rays_;
     const CurvedTracer& tracer_;
+};
+
+/// Calls trace(ray) for hits; light is by the exact tracer.
+template <typename Trace>
+class SampledReliefOverMesh final : public SampledRelief {
+public:
+    SampledReliefOverMesh(const HeightMap& map, const View& view, const SurfaceShader& shader,
+                          const CurvedTracer& tracer, HitBy hit_by, const Trace& trace)
+        : map_(map),
+          view_(view),
+          mesh_(curved_base(view.relief.base)),
+          shader_(shader),
+          tracer_(tracer),
+          hit_by_(hit_by),
+          trace_(trace) {}
+
+    void see(std::span<const Ray> rays, std::span<SurfaceSample> samples) const override {
+        const Relief& relief = view_.relief;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const std::optional<CurvedHit> found = trace_(rays[i]);
+            samples[i].is_hit = found.has_value();
+            if (!found) continue;
+            const ExactHit& hit = found->hit;
+            const BaseTriangle triangle = base_triangle(mesh_, found->triangle);
+            samples[i].t = hit.t;
+            samples[i].uv = {hit.u, hit.v};
+            samples[i].normal =
+                relief_normal(triangle, samples[i].uv, (hit.h - 1) * relief.height_scale, shader_.slope(samples[i].uv));
+            samples[i].point = lit_point(rays[i], *found, triangle, hit_by_, map_, relief);
+        }
+    }
+
+    void light(std::span<const LitPoint> points, std::span<const glm::dvec3> to_light,
+               std::span<std::uint8_t> reached) const override {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            reached[i] = light_reaches(tracer_, view_.relief, points[i], to_light[i]) ? 1 : 0;
+    }
+
+private:
+    const HeightMap& map_;
+    const View& view_;
+    const BaseMesh& mesh_;
+    const SurfaceShader& shader_;
+    const CurvedTracer& tracer_;
+    HitBy hit_by_;
+    const Trace& trace_;
 };
 
 std::array<float, 3> shading_normal_over(const BaseTriangle& triangle, const Relief& relief,
@@ -93,13 +162,23 @@ public:
         });
     }
 
-    Truth finish(const Albedo& albedo, const Lighting& lighting) {
-        const LightPathsOverMesh paths(hits_, view_, tracer_);
+    /// Calls trace(ray) for the samples of a picture of several.
+    template <typename Trace>
+    Truth finish(const Albedo& albedo, const Lighting& lighting, const TruthPicture& picture, HitBy hit_by,
+                 const Trace& trace) {
+        const LightPathsOverMesh paths(hits_, hit_by, map_, view_, tracer_);
         truth_.light_visibility = trace_light_visibility(truth_.hits, paths, view_, lighting);
-        truth_.colour =
-            shade_hits(truth_.hits, truth_.light_visibility.fractions, truth_.curved->normals, albedo, view_, lighting);
         truth_.background = {static_cast<float>(lighting.background.r), static_cast<float>(lighting.background.g),
                              static_cast<float>(lighting.background.b)};
+        if (picture.samples > 1) {
+            const SurfaceShader shader(map_, albedo, view_.relief, lighting);
+            filter_picture(truth_, SampledReliefOverMesh(map_, view_, shader, tracer_, hit_by, trace), shader, view_,
+                           lighting, picture);
+        } else {
+            truth_.colour = shade_hits(truth_.hits, truth_.light_visibility.fractions, truth_.curved->normals, albedo,
+                                       view_, lighting);
+        }
+        if (picture.object != nullptr) show_object(truth_, *picture.object, view_, lighting);
         if (tracer_.folded_triangles() > 0) {
             log_warning(
                 "a relief of height scale {} turns inside out over {} of the {} triangles of the base '{}': hits there "
@@ -157,24 +236,26 @@ private:
 
 }  // namespace
 
-Truth trace_curved_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting) {
+Truth trace_curved_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting,
+                         const TruthPicture& picture) {
     const auto start = std::chrono::steady_clock::now();
     CurvedTruthTracer tracing(map, view);
-    tracing.find_hits([&](const Ray& ray) { return tracing.tracer().trace(ray); },
-                      [](const Ray&, const std::optional<CurvedHit>& hit) { return hit; });
-    Truth truth = tracing.finish(albedo, lighting);
+    const auto trace = [&](const Ray& ray) { return tracing.tracer().trace(ray); };
+    tracing.find_hits(trace, [](const Ray&, const std::optional<CurvedHit>& hit) { return hit; });
+    Truth truth = tracing.finish(albedo, lighting, picture, HitBy::surface, trace);
     truth.trace_ms = milliseconds_since(start);
     return truth;
 }
 
 Truth trace_diced_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting,
-                        int subdivision) {
+                        int subdivision, const TruthPicture& picture) {
     const auto start = std::chrono::steady_clock::now();
     const DicedMesh mesh(map, view.relief, subdivision);
     CurvedTruthTracer tracing(map, view);
-    tracing.find_hits([&](const Ray& ray) { return mesh.trace(ray); },
+    const auto trace = [&](const Ray& ray) { return mesh.trace(ray); };
+    tracing.find_hits(trace,
                       [&](const Ray& ray, const std::optional<CurvedHit>&) { return tracing.tracer().trace(ray); });
-    Truth truth = tracing.finish(albedo, lighting);
+    Truth truth = tracing.finish(albedo, lighting, picture, HitBy::facets, trace);
     truth.trace_ms = milliseconds_since(start);
     return truth;
 }

@@ -2,6 +2,10 @@
 
 #include "core/random.hpp"
 
+#include <bit>
+#include <cassert>
+#include <cstddef>
+
 namespace reliefbench {
 
 namespace {
@@ -24,11 +28,10 @@ std::uint32_t second_coordinate(std::uint32_t index) {
     return result;
 }
 
-/// Each bit is flipped or not by a hash of the bits above it. Multiplying by even numbers lets lower bits depend on
-/// higher ones only once the order of bits is reversed.
-std::uint32_t owen_scramble(std::uint32_t bits, std::uint32_t seed) {
-    std::uint32_t x = reverse_bits(bits);
-    x += seed;
+/// Each bit is flipped or not by a hash of the bits above it, which the reversed order has below it. Multiplying by
+/// even numbers lets higher bits depend on lower ones only.
+std::uint32_t owen_scramble_reversed(std::uint32_t reversed, std::uint32_t seed) {
+    std::uint32_t x = reversed + seed;
     x ^= x * 0x6c50b47cU;
     x ^= x * 0xb82f1e52U;
     x ^= x * 0xc7afe638U;
@@ -41,12 +44,40 @@ double to_unit(std::uint32_t bits) {
     return bits * scale;
 }
 
+/// Of a point whose coordinates' bits are reversed; the first coordinate's are the index.
+glm::dvec2 scrambled(std::uint32_t index, std::uint32_t reversed_second, std::uint64_t seeds) {
+    return {to_unit(owen_scramble_reversed(index, static_cast<std::uint32_t>(seeds))),
+            to_unit(owen_scramble_reversed(reversed_second, static_cast<std::uint32_t>(seeds >> 32)))};
+}
+
 }  // namespace
 
 glm::dvec2 scrambled_sobol_point(std::uint32_t index, std::uint64_t seed) {
+    return scrambled(index, reverse_bits(second_coordinate(index)), mix_bits(seed));
+}
+
+std::uint32_t scrambled_index(std::uint32_t index, std::uint32_t count, std::uint64_t seed) {
+    assert(std::has_single_bit(count) && index < count);
+    if (count == 1) return 0;
+    const int unused = std::countl_zero(count) + 1;
+    const std::uint32_t reversed = reverse_bits(index << unused);
+    return owen_scramble_reversed(reversed, static_cast<std::uint32_t>(mix_bits(seed))) >> unused;
+}
+
+ScrambledPoints::ScrambledPoints(std::uint32_t count) : reversed_seconds_(count) {
+    for (std::uint32_t index = 0; index < count; ++index)
+        reversed_seconds_[index] = reverse_bits(second_coordinate(index));
+}
+
+void ScrambledPoints::fill(std::uint64_t seed, std::span<glm::dvec2> points) const {
+    assert(points.size() <= reversed_seconds_.size());
     const std::uint64_t seeds = mix_bits(seed);
-    return {to_unit(owen_scramble(reverse_bits(index), static_cast<std::uint32_t>(seeds))),
-            to_unit(owen_scramble(second_coordinate(index), static_cast<std::uint32_t>(seeds >> 32)))};
+    for (std::size_t index = 0; index < points.size(); ++index)
+        points[index] = scrambled(static_cast<std::uint32_t>(index), reversed_seconds_[index], seeds);
+}
+
+glm::dvec2 ScrambledPoints::at(std::uint32_t index, std::uint64_t seed) const {
+    return scrambled(index, reversed_seconds_[index], mix_bits(seed));
 }
 
 }  // namespace reliefbench

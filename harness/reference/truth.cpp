@@ -2,13 +2,19 @@
 
 #include "reference/curved_truth.hpp"
 #include "reference/exact_tracer.hpp"
+#include "reference/filtered_truth.hpp"
 #include "reference/mesh_tracer.hpp"
 #include "reference/pixel_loop.hpp"
+#include "reference/sampled_relief.hpp"
 #include "reference/shading.hpp"
+#include "reference/surface_shader.hpp"
 #include "reference/ties.hpp"
 #include "scene/shading_normal.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <optional>
+#include <span>
 
 namespace reliefbench {
 namespace {
@@ -21,11 +27,19 @@ std::array<float, 3> to_float(const glm::dvec3& colour) {
     return {static_cast<float>(colour.r), static_cast<float>(colour.g), static_cast<float>(colour.b)};
 }
 
-/// Visibility of the lights and colour of a truth that has its hits.
-void light(Truth& truth, const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting) {
+/// Visibility of the lights and picture of a truth that has its hits, which `trace` finds.
+void light(Truth& truth, const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting,
+           const TruthPicture& picture, const ExactTracer& tracer, const SampledReliefOverPlane::Trace& trace) {
     truth.light_visibility = trace_light_visibility(truth.hits, map, view, lighting);
-    truth.colour = shade_hits(truth.hits, truth.light_visibility.fractions, map, albedo, view, lighting);
     truth.background = to_float(lighting.background);
+    if (picture.samples > 1) {
+        const SurfaceShader shader(map, albedo, view.relief, lighting);
+        filter_picture(truth, SampledReliefOverPlane(map, view, shader, tracer, trace), shader, view, lighting,
+                       picture);
+    } else {
+        truth.colour = shade_hits(truth.hits, truth.light_visibility.fractions, map, albedo, view, lighting);
+    }
+    if (picture.object != nullptr) show_object(truth, *picture.object, view, lighting);
 }
 
 /// Calls trace(ray) for every pixel whose hit a truth has, and marks F in the footprint.
@@ -81,25 +95,31 @@ Image<std::array<float, 3>> shade_with(const HitImage& hits, const Image<std::ar
 
 }  // namespace
 
-Truth trace_exact_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting) {
-    if (!is_flat(view.relief.base)) return trace_curved_truth(map, albedo, view, lighting);
+Truth trace_exact_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting,
+                        const TruthPicture& picture) {
+    if (!is_flat(view.relief.base)) return trace_curved_truth(map, albedo, view, lighting, picture);
     const auto start = std::chrono::steady_clock::now();
     const ExactTracer tracer(map, view.relief);
     Truth truth = trace_hits(view, [&](const Ray& ray) { return tracer.trace(ray); });
     mark_ties(truth, map, view, tracer);
-    light(truth, map, albedo, view, lighting);
+    light(truth, map, albedo, view, lighting, picture, tracer,
+          [&](std::span<const Ray> rays, std::span<std::optional<ExactHit>> hits) { tracer.trace(rays, hits); });
     truth.trace_ms = milliseconds_since(start);
     return truth;
 }
 
 Truth trace_mesh_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting,
-                       int subdivision) {
-    if (!is_flat(view.relief.base)) return trace_diced_truth(map, albedo, view, lighting, subdivision);
+                       int subdivision, const TruthPicture& picture) {
+    if (!is_flat(view.relief.base)) return trace_diced_truth(map, albedo, view, lighting, subdivision, picture);
     const auto start = std::chrono::steady_clock::now();
-    const MeshTracer tracer(map, view, subdivision);
-    Truth truth = trace_hits(view, [&](const Ray& ray) { return tracer.trace(ray); });
-    mark_ties(truth, map, view, ExactTracer(map, view.relief));
-    light(truth, map, albedo, view, lighting);
+    const MeshTracer mesh(map, view, subdivision);
+    const ExactTracer tracer(map, view.relief);
+    Truth truth = trace_hits(view, [&](const Ray& ray) { return mesh.trace(ray); });
+    mark_ties(truth, map, view, tracer);
+    light(truth, map, albedo, view, lighting, picture, tracer,
+          [&](std::span<const Ray> rays, std::span<std::optional<ExactHit>> hits) {
+              std::transform(rays.begin(), rays.end(), hits.begin(), [&](const Ray& ray) { return mesh.trace(ray); });
+          });
     truth.trace_ms = milliseconds_since(start);
     return truth;
 }
@@ -115,6 +135,8 @@ void show_object(Truth& truth, const SceneObject& object, const View& view, cons
         const std::optional<ObjectHit> met = intersect(object, ray, view.camera.projection);
         if (!met || (hit.is_hit() && met->t >= hit.t)) return;
         front = Front::object;
+        // One of several samples has it already, each where its own ray meets it.
+        if (truth.samples > 1) return;
         const glm::dvec3 linear = shade(lighting, object.colour, met->normal, -ray.direction, met->t);
         truth.colour.at(i, j) = to_float(linear);
     });

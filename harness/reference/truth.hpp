@@ -31,8 +31,16 @@ struct Truth {
     /// F: the ray meets the base from the side that is seen (on the plane: crosses z = 0 inside the unit square). Ties
     /// (ties.hpp) are marked.
     FootprintImage footprint;
-    /// Linear RGB, shaded truth; the background colour where there is no hit.
+    /// Linear RGB, shaded truth; the background colour where there is no hit. The mean of `samples` rays a pixel; all
+    /// else is of the ray through its centre.
     Image<std::array<float, 3>> colour;
+    int samples = 1;
+    /// Of `colour`, linear, by pixel: the root mean square over the channels, whose square is right in the mean. It
+    /// comes from what two independent scramblings differ by. Empty with one sample.
+    std::optional<Image<float>> standard_error;
+    /// The mean over the first scrambling alone. It differs from `colour` by as much as that does from what
+    /// infinitely many samples would give. Empty with one sample.
+    std::optional<Image<std::array<float, 3>>> half_picture;
     /// Linear RGB.
     std::array<float, 3> background{};
     LightVisibility light_visibility;
@@ -44,13 +52,25 @@ struct Truth {
     double trace_ms = 0;
 };
 
+constexpr int max_truth_samples = 1024;
+
+/// What a truth's picture shows beside the relief, and how well.
+struct TruthPicture {
+    /// From 1, a ray through the pixel's centre, to max_truth_samples.
+    int samples = 1;
+    /// In front of the relief where it is (show_object); null: none. Must outlive the call.
+    const SceneObject* object = nullptr;
+};
+
 /// Boundary::clip traces every pixel (the relief can be seen outside F); Boundary::repeat those in F. Over a base of
 /// triangles the mesh is diced (DicedMesh), and both throw Error in the portable build.
-Truth trace_exact_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting);
+Truth trace_exact_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting,
+                        const TruthPicture& picture = {});
 Truth trace_mesh_truth(const HeightMap& map, const Albedo& albedo, const View& view, const Lighting& lighting,
-                       int subdivision);
+                       int subdivision, const TruthPicture& picture = {});
 
-/// Puts the object into a truth's picture where it is in front of the relief. It neither casts nor receives shadows.
+/// Marks where the object is in front of the relief, and puts it into a picture of one sample. It neither casts nor
+/// receives shadows.
 void show_object(Truth& truth, const SceneObject& object, const View& view, const Lighting& lighting);
 
 /// Linear RGB of a hit image over the plane, shaded as the truth is; `visibility` of each light at each hit.

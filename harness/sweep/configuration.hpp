@@ -24,6 +24,8 @@ struct TruthSettings {
     Kind kind = Kind::exact;
     /// mesh only: quads per texel and side.
     int subdivision = 4;
+    /// Of a pixel of its picture (reference/truth.hpp).
+    int samples = 1;
 };
 
 /// When a cell has been sampled enough. A rule is an object of its own (harness/measure/stopping_rule.hpp).

@@ -21,6 +21,8 @@ const std::vector<std::string> motion_directions{"view_angle", "azimuth"};
 const std::vector<std::string> object_shapes{"sphere", "box"};
 
 constexpr int largest_subdivision = 64;
+/// As reference/truth.hpp has it.
+constexpr int max_truth_samples = 1024;
 constexpr int max_rounds = 100000;
 constexpr int max_draws = 10000;
 constexpr double longest_pass_ms = 10000;
@@ -82,7 +84,7 @@ Fog read_fog(const JsonView& view) {
 namespace configuration_keys {
 
 const std::vector<std::string>& truth() {
-    static const std::vector<std::string> keys{"kind", "subdivision"};
+    static const std::vector<std::string> keys{"kind", "subdivision", "samples"};
     return keys;
 }
 
@@ -132,6 +134,7 @@ TruthSettings read_truth(const JsonView& view) {
     if (view.has("subdivision")) {
         truth.subdivision = static_cast<int>(view.at("subdivision").integer(1, largest_subdivision));
     }
+    if (view.has("samples")) truth.samples = static_cast<int>(view.at("samples").integer(1, max_truth_samples));
     return truth;
 }
 
@@ -251,7 +254,10 @@ Json to_json(const SceneObject& object) {
 }
 
 Json to_json(const TruthSettings& truth) {
-    return {{"kind", truth_kinds[static_cast<std::size_t>(truth.kind)]}, {"subdivision", truth.subdivision}};
+    Json json{{"kind", truth_kinds[static_cast<std::size_t>(truth.kind)]}, {"subdivision", truth.subdivision}};
+    // Runs made before truths had several have the same as those with one.
+    if (truth.samples != TruthSettings{}.samples) json["samples"] = truth.samples;
+    return json;
 }
 
 Json to_json(const SamplingSettings& sampling) {

@@ -18,6 +18,7 @@ TEST(Configuration, SettingsThatAreLeftOutKeepTheirDefaults) {
     EXPECT_EQ(configuration.name, "test");
     EXPECT_EQ(configuration.seed, 1U);
     EXPECT_EQ(configuration.truth.kind, TruthSettings::Kind::exact);
+    EXPECT_EQ(configuration.truth.samples, 1);
     EXPECT_EQ(configuration.sampling.rule, SamplingSettings::Rule::precision);
     EXPECT_EQ(configuration.sampling.rounds, SamplingSettings{}.rounds);
     EXPECT_EQ(configuration.lighting.lights.size(), 1U);
@@ -51,7 +52,7 @@ TEST(Configuration, StoppingRulesAreRead) {
 
 TEST(Configuration, SettingsAreRead) {
     const Configuration configuration = parse(with_member(R"("$schema": "schema.json", "name": "all", "seed": 9,
-        "truth": {"kind": "mesh", "subdivision": 8}, "images": true,
+        "truth": {"kind": "mesh", "subdivision": 8, "samples": 64}, "images": true,
         "sampling": {"rule": "fixed", "rounds": 7, "samples_per_visit": 6, "warm_up": 0, "minimum_pass_ms": 0.5},
         "lighting": {"lights": [{"direction": [0, 0, 2], "colour": [1, 2, 3]}, {}], "ambient": [0, 0, 0],
                      "specular": [0.5, 0.5, 0.5], "shininess": 8, "enabled": false, "background": [1, 0, 0],
@@ -60,6 +61,7 @@ TEST(Configuration, SettingsAreRead) {
     EXPECT_EQ(configuration.seed, 9U);
     EXPECT_EQ(configuration.truth.kind, TruthSettings::Kind::mesh);
     EXPECT_EQ(configuration.truth.subdivision, 8);
+    EXPECT_EQ(configuration.truth.samples, 64);
     EXPECT_TRUE(configuration.images);
     EXPECT_EQ(configuration.sampling.rule, SamplingSettings::Rule::fixed);
     EXPECT_EQ(configuration.sampling.rounds, 7);
@@ -183,6 +185,7 @@ TEST(Configuration, WhatIsWrongIsNamedWithItsPlace) {
         {with_member(R"("seed": -1)"), "$.seed: expected an integer of at least 0"},
         {with_member(R"("truth": {"kind": "exakt"})"), "$.truth.kind"},
         {with_member(R"("truth": {"subdivision": 0})"), "$.truth.subdivision: expected an integer from 1 to 64"},
+        {with_member(R"("truth": {"samples": 1025})"), "$.truth.samples: expected an integer from 1 to 1024"},
         {with_member(R"("sampling": {"rule": "entropy"})"), "$.sampling.rule"},
         {with_member(R"("sampling": {"rounds": 0})"), "$.sampling.rounds: expected an integer from 1"},
         {with_member(R"("sampling": {"rounds": 5})"), "$.sampling.rounds: expected at least 6 rounds for the rule"},
@@ -241,7 +244,7 @@ TEST(Configuration, ReadsBackFromWhatIsWrittenToRunJson) {
         R"("name": "round", "seed": 5, "images": true, "motion": {"degrees": 1}, "zip": [["view_angle", "azimuth"]],
         "axes": {"heightmap": ["rock", {"name": "bricks", "size": "64x32", "seed": 3}], "view_angle": [0, 60],
                  "azimuth": [0, 22.5], "sample_count": [16, 32]}, "exclude": [{"technique": "plain", "view_angle": 60}],
-        "truth": {"kind": "mesh"}, "lighting": {"fog": {}, "shininess": 3}, "sampling": {"rounds": 7}, "preparation": {"limit_s": 5})",
+        "truth": {"kind": "mesh", "samples": 16}, "lighting": {"fog": {}, "shininess": 3}, "sampling": {"rounds": 7}, "preparation": {"limit_s": 5})",
         R"(["plain", "march", {"technique": "tree", "parameters": {"leaf": ["exact"]}}])");
     const Configuration first = parse(text, {"view_angle=10,60"});
     Json run = Json::object();

@@ -166,6 +166,8 @@ TEST(Schema, AgreesWithTheParserAboutValues) {
         {"/seed", "-1", false},
         {"/truth", R"({"kind": "mesh", "subdivision": 64})", true},
         {"/truth", R"({"subdivision": 65})", false},
+        {"/truth", R"({"samples": 1024})", true},
+        {"/truth", R"({"samples": 1025})", false},
         {"/sampling", R"({"rule": "fixed", "rounds": 100000, "samples_per_visit": 10000, "warm_up": 0})", true},
         {"/sampling", R"({"rule": "precision", "rounds": 6, "precision": 0.02, "budget_s": 0.5})", true},
         {"/sampling", R"({"rule": "time", "budget_s": 2})", true},

@@ -20,10 +20,6 @@ TangentFrame tangent_frame(const Plane& /*plane*/, glm::dvec2 /*uv*/) {
     return plane_frame;
 }
 
-glm::dvec3 relief_normal(const Plane& /*plane*/, glm::dvec2 /*uv*/, glm::dvec2 slope) {
-    return glm::normalize(glm::dvec3(-slope.x, -slope.y, 1.0));
-}
-
 std::optional<BaseEntry> find_entry(const Plane& plane, const Ray& ray) {
     if (ray.direction.z >= 0 || ray.origin.z < 0) return std::nullopt;
     const double t = crossing_t(plane, ray);

@@ -21,8 +21,11 @@ glm::dvec3 base_point(const Plane& plane, glm::dvec2 uv, double above);
 /// ∂P/∂u, ∂P/∂v and N.
 TangentFrame tangent_frame(const Plane& plane, glm::dvec2 uv);
 
-/// The unit normal in world space of a relief whose offset along N changes with u and v by `slope`.
-glm::dvec3 relief_normal(const Plane& plane, glm::dvec2 uv, glm::dvec2 slope);
+/// The unit normal in world space of a relief whose offset along N changes with u and v by `slope`. Inline, as it is
+/// called for each ray of a truth.
+inline glm::dvec3 relief_normal(const Plane& /*plane*/, glm::dvec2 /*uv*/, glm::dvec2 slope) {
+    return glm::normalize(glm::dvec3(-slope.x, -slope.y, 1.0));
+}
 
 /// Where the ray meets the unit square from above: empty outside the footprint F.
 std::optional<BaseEntry> find_entry(const Plane& plane, const Ray& ray);
