@@ -158,7 +158,7 @@ std::function<void(const VariantVisit&)> keep_visits(std::optional<LineFile>& fi
 ExitCode compare_live(const AbOptions& options) {
     const double threshold = parse_threshold(options.threshold, "--threshold");
     VariantSettings settings;
-    settings.map_cache = cache_folder();
+    settings.cache = cache_folder();
     settings.budget_s = parse_duration(options.budget, "--budget");
     options.output.check();
     refuse_standard_output(options.output_folder, "it is a folder; the comparison goes to standard output anyway");

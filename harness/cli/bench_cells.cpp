@@ -26,7 +26,7 @@ BenchCells::BenchCells(const gpu::Device& device, const TechniqueLibrary& librar
                        const std::vector<Cell>& cells)
     : configuration_(&configuration),
       cells_(&cells),
-      inputs_(device, configuration.lighting, configuration.truth, configuration.object),
+      inputs_(device, configuration.lighting, configuration.truth, configuration.object, cache_folder()),
       laboratory_(library, configuration, inputs_, {.cache = cache_folder()}) {}
 
 const CellResult& BenchCells::prepare(std::size_t index) {

@@ -183,7 +183,7 @@ ExitCode render(const RenderOptions& options) {
     const auto on_progress = [&printer, start_s = steady_clock().seconds()](const PreparationProgress& progress) {
         tell(progress, printer, start_s);
     };
-    SharedInputs inputs(device, configuration.lighting, configuration.truth, configuration.object);
+    SharedInputs inputs(device, configuration.lighting, configuration.truth, configuration.object, cache_folder());
     Laboratory laboratory(library, configuration, inputs, {.cache = cache_folder(), .timed = false});
     const Drawing drawing{laboratory, {.on_progress = on_progress}, shown_by(options), kind};
     ExitCode code = ExitCode::done;

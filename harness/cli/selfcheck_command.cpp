@@ -235,7 +235,7 @@ ExitCode selfcheck(SelfcheckOptions options) {
     record.configuration = sources.configuration.name;
     Comparison comparison;
     VariantSettings settings;
-    settings.map_cache = cache_folder();
+    settings.cache = cache_folder();
     settings.budget_s = share_within * budget_s;
     settings.seed = sources.configuration.seed;
     ExitCode code = ExitCode::done;

@@ -46,12 +46,12 @@ void warn_of_base(const BaseMesh& mesh, const UsedBase& used) {
     }
 }
 
+}  // namespace
+
 std::string hash_of_mesh(const BaseMesh& mesh) {
     return content_hash(content_hash(std::as_bytes(std::span(mesh.vertices))) +
                         content_hash(std::as_bytes(std::span(mesh.triangles))));
 }
-
-}  // namespace
 
 Json inspect_bases(const std::vector<Cell>& cells) {
     Json records = Json::array();

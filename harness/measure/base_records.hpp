@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/json.hpp"
+#include "scene/surface/base_mesh.hpp"
 #include "sweep/cell.hpp"
 
+#include <string>
 #include <vector>
 
 namespace reliefbench {
@@ -12,5 +14,8 @@ namespace reliefbench {
 /// array: name, base_fit, scale, vertices, triangles, charts, and the hash of the mesh as it is drawn; empty where no
 /// cell lies on a file.
 Json inspect_bases(const std::vector<Cell>& cells);
+
+/// Of vertices and triangles.
+std::string hash_of_mesh(const BaseMesh& mesh);
 
 }  // namespace reliefbench

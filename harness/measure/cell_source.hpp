@@ -2,6 +2,7 @@
 
 #include "gpu/device_state.hpp"
 #include "measure/subject.hpp"
+#include "measure/truth_cache.hpp"
 #include "store/cell_result.hpp"
 
 #include <cstddef>
@@ -47,8 +48,8 @@ public:
     /// Visits that the device may have at once: two keep it busy; on a CPU device the host's work would take processors
     /// away from the samples.
     virtual std::size_t in_flight() const = 0;
-    /// Wall time of all truths traced so far.
-    virtual double truth_seconds() const = 0;
+    /// Of all truths so far.
+    virtual TruthWork truths() const = 0;
 };
 
 }  // namespace reliefbench

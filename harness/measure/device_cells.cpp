@@ -39,7 +39,7 @@ DeviceCells::DeviceCells(const gpu::Device& device, const TechniqueLibrary& libr
       cells_(cells),
       writer_(writer),
       device_state_(gpu::open_device_state(device)),
-      inputs_(device, configuration.lighting, configuration.truth, configuration.object),
+      inputs_(device, configuration.lighting, configuration.truth, configuration.object, maps.cache),
       laboratory_(library, configuration, inputs_, std::move(maps)) {}
 
 void DeviceCells::begin_block(std::span<const std::size_t> cells) {

@@ -25,7 +25,7 @@ public:
     bool is_device_lost() const override;
     gpu::DeviceStateSource& device_state() override { return *device_state_; }
     std::size_t in_flight() const override;
-    double truth_seconds() const override { return inputs_.truth_seconds(); }
+    TruthWork truths() const override { return inputs_.truths(); }
 
 private:
     /// False where the memory is used up.

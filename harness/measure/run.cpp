@@ -85,7 +85,7 @@ public:
         }
         tell_cell({});
         split_.total_s = clock_.seconds() - start_s_;
-        split_.truth_s = source_.truth_seconds();
+        split_.truths = source_.truths();
         return {tally_, cells_done_ < cells_.size(), device_lost_, split_};
     }
 

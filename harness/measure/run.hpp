@@ -35,7 +35,7 @@ struct TimeSplit {
     /// Inside GPU timestamps of counted samples: those that are part of a cell's figures and were taken in this
     /// execution. Preparations that were given up, that failed or that an earlier execution made are none.
     double samples_s = 0;
-    double truth_s = 0;
+    TruthWork truths = {};
     /// From the first visit of a block to its last, of all blocks, and what of it lay inside GPU timestamps of counted
     /// samples.
     double timing_s = 0;

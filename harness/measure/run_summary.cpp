@@ -1,5 +1,6 @@
 #include "measure/run_summary.hpp"
 
+#include "core/counted.hpp"
 #include "core/suggest.hpp"
 
 #include <fmt/format.h>
@@ -39,6 +40,12 @@ std::size_t count_stops(const RunTally& tally, StopReason reason) {
     return found == tally.stops.end() ? 0 : found->second;
 }
 
+std::string truths_in_words(const TruthWork& truths) {
+    if (truths.cached == 0) return "tracing truths";
+    return fmt::format("tracing {} and reading {} that {} cached", counted(truths.traced, "truth"), truths.cached,
+                       truths.cached == 1 ? "was" : "were");
+}
+
 std::optional<double> utilisation(const TimeSplit& split) {
     if (split.timing_s <= 0) return std::nullopt;
     return split.timing_samples_s / split.timing_s;
@@ -57,7 +64,8 @@ Json make_run_summary(const RunOutcome& outcome, const Json& empty_pass) {
     json["throttled_cells"] = outcome.tally.throttled_cells;
     json["total_s"] = split.total_s;
     json["samples_s"] = split.samples_s;
-    json["truth_s"] = split.truth_s;
+    json["truth_s"] = split.truths.seconds;
+    json["truths"] = {{"traced", split.truths.traced}, {"cached", split.truths.cached}};
     json["timing"] = {{"total_s", split.timing_s},
                       {"samples_s", split.timing_samples_s},
                       {"utilisation", utilised ? Json(*utilised) : Json(nullptr)}};
@@ -67,10 +75,10 @@ Json make_run_summary(const RunOutcome& outcome, const Json& empty_pass) {
 
 std::string format_run_summary(const RunOutcome& outcome, const Json& empty_pass) {
     const TimeSplit& split = outcome.split;
-    const double useful_s = split.samples_s + split.truth_s;
-    std::string text =
-        fmt::format("time: {:.1f} s in all; {:.1f} s inside counted GPU samples, {:.1f} s tracing truths: {:.0f} %\n",
-                    split.total_s, split.samples_s, split.truth_s, 100 * useful_s / split.total_s);
+    const double useful_s = split.samples_s + split.truths.seconds;
+    std::string text = fmt::format(
+        "time: {:.1f} s in all; {:.1f} s inside counted GPU samples, {:.1f} s {}: {:.0f} %\n", split.total_s,
+        split.samples_s, split.truths.seconds, truths_in_words(split.truths), 100 * useful_s / split.total_s);
     const std::optional<double> utilised = utilisation(split);
     if (!utilised) return text;
     text += fmt::format(

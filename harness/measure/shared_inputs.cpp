@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace reliefbench {
 
@@ -106,7 +107,10 @@ void check_input_files(const std::vector<Cell>& cells) {
 }
 
 LoadedMap::LoadedMap(const gpu::Device& device, const HeightMapSource& source, HeightFormat format)
-    : map(load_height_map(source, format)), albedo(load_albedo(source, map)), scene(device, map, albedo) {}
+    : map(load_height_map(source, format)),
+      albedo(load_albedo(source, map)),
+      albedo_content(content_of(albedo)),
+      scene(device, map, albedo) {}
 
 Truth trace_truth(const LoadedMap& loaded, const View& view, const Lighting& lighting, const TruthSettings& settings,
                   const std::optional<SceneObject>& object) {
@@ -117,8 +121,8 @@ Truth trace_truth(const LoadedMap& loaded, const View& view, const Lighting& lig
 }
 
 SharedInputs::SharedInputs(const gpu::Device& device, const Lighting& lighting, const TruthSettings& settings,
-                           const std::optional<SceneObject>& object)
-    : device_(&device), lighting_(lighting), settings_(settings), object_(object) {}
+                           const std::optional<SceneObject>& object, std::filesystem::path cache)
+    : device_(&device), lighting_(lighting), settings_(settings), object_(object), cache_(std::move(cache)) {}
 
 const LoadedMap& SharedInputs::map(const ViewKey& key) {
     for (const KeyedMap& keyed : maps_) {
@@ -170,9 +174,20 @@ Truth SharedInputs::truth_from(const ViewKey& key, const Camera& camera) {
 }
 
 Truth SharedInputs::trace(const ViewKey& key, const View& view, const TruthSettings& settings) {
-    Truth traced = trace_truth(map(key), view, lighting_, settings, object_);
-    truth_seconds_ += traced.trace_ms / 1000.0;
-    return traced;
+    const LoadedMap& loaded = map(key);
+    const std::string name = cache_.empty()
+                                 ? std::string()
+                                 : cache_key({loaded.map, loaded.albedo_content, view, lighting_, settings, object_});
+    std::optional<Truth> truth = read_cached_truth(cache_, name);
+    if (truth) {
+        ++truths_.cached;
+    } else {
+        truth = trace_truth(loaded, view, lighting_, settings, object_);
+        ++truths_.traced;
+        cache_truth(cache_, name, *truth);
+    }
+    truths_.seconds += truth->trace_ms / 1000.0;
+    return std::move(*truth);
 }
 
 void SharedInputs::keep_only(const std::vector<ViewKey>& views) {

@@ -1,14 +1,17 @@
 #pragma once
 
+#include "measure/truth_cache.hpp"
 #include "reference/truth.hpp"
 #include "scene/albedo.hpp"
 #include "scene/height_map.hpp"
 #include "sweep/configuration.hpp"
 #include "technique/renderer.hpp"
 
+#include <filesystem>
 #include <functional>
 #include <list>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace reliefbench {
@@ -40,18 +43,21 @@ struct LoadedMap {
 
     HeightMap map;
     Albedo albedo;
+    /// content_of(albedo)
+    std::string albedo_content;
     SceneOnDevice scene;
 };
 
 Truth trace_truth(const LoadedMap& loaded, const View& view, const Lighting& lighting, const TruthSettings& settings,
                   const std::optional<SceneObject>& object = std::nullopt);
 
-/// Height maps and truths that the cells of a block share. Holds one truth, that of the view asked for last: cells of
+/// Height maps and truths that the cells of a block share. Truths come from the cache folder `cache` where it has them,
+/// and go there (measure/truth_cache.hpp); empty: nowhere. Holds one truth, that of the view asked for last: cells of
 /// one view are neighbours, so that each view is traced once.
 class SharedInputs {
 public:
     SharedInputs(const gpu::Device& device, const Lighting& lighting, const TruthSettings& settings,
-                 const std::optional<SceneObject>& object = std::nullopt);
+                 const std::optional<SceneObject>& object = std::nullopt, std::filesystem::path cache = {});
 
     const gpu::Device& device() const { return *device_; }
 
@@ -63,14 +69,14 @@ public:
     bool has_truth(const ViewKey& view) const;
     /// Valid until the truth of another view is asked for.
     const Truth& truth(const ViewKey& view);
-    /// The same view's from another camera, which is not kept, without shadows and with a picture of one sample: what is
-    /// in motion are hits.
+    /// The same view's from another camera, which is not kept, without shadows and with a picture of one sample: what
+    /// is in motion are hits.
     Truth truth_from(const ViewKey& key, const Camera& camera);
     /// Frees what none of these views needs.
     void keep_only(const std::vector<ViewKey>& views);
 
-    /// Wall time of all truths traced so far.
-    double truth_seconds() const { return truth_seconds_; }
+    /// Of all truths so far.
+    const TruthWork& truths() const { return truths_; }
 
 private:
     struct KeyedMap {
@@ -93,10 +99,11 @@ private:
     Lighting lighting_;
     TruthSettings settings_;
     std::optional<SceneObject> object_;
+    std::filesystem::path cache_;
     std::list<KeyedMap> maps_;
     std::list<KeyedBase> bases_;
     std::optional<KeyedTruth> truth_;
-    double truth_seconds_ = 0;
+    TruthWork truths_;
 };
 
 }  // namespace reliefbench

@@ -67,9 +67,9 @@ public:
           callbacks_(callbacks),
           clock_(clock),
           start_s_(clock.seconds()),
-          inputs_(device, configuration.lighting, configuration.truth, configuration.object),
-          base_(variants.base, configuration_, inputs_, {.cache = settings.map_cache}),
-          changed_(variants.changed, configuration_, inputs_, {.cache = settings.map_cache}) {
+          inputs_(device, configuration.lighting, configuration.truth, configuration.object, settings.cache),
+          base_(variants.base, configuration_, inputs_, {.cache = settings.cache}),
+          changed_(variants.changed, configuration_, inputs_, {.cache = settings.cache}) {
         configuration_.sampling.minimum_pass_ms = settings.minimum_pass_ms;
         // Of preparation passes, whose times are not compared.
         configuration_.sampling.rounds = 1;

@@ -25,8 +25,8 @@ struct Variants {
 };
 
 struct VariantSettings {
-    /// Where derived maps that take long to make are kept (core/cache_folder.hpp); empty: nowhere.
-    std::filesystem::path map_cache = {};
+    /// Where truths and derived maps are cached (core/cache_folder.hpp); empty: nowhere.
+    std::filesystem::path cache = {};
     /// Wall time of sampling, divided among the cells. Preparing them and tracing their truths comes on top.
     double budget_s = 300;
     std::uint64_t seed = 1;

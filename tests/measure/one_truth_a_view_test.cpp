@@ -23,12 +23,12 @@ public:
 
     void begin_block(std::span<const std::size_t> cells) override { cells_->begin_block(cells); }
     ReadyCell make_ready(std::size_t cell, const std::function<void(const std::string&)>& on_progress) override {
-        const double before_s = cells_->truth_seconds();
+        const std::size_t before = cells_->truths().traced;
         ReadyCell ready = cells_->make_ready(cell, on_progress);
         EXPECT_EQ(ready.result.status, CellStatus::ok) << ready.result.reason;
         const double angle = (*all_)[cell].view.view.camera.view_angle;
         ++made[angle];
-        traced[angle] += cells_->truth_seconds() > before_s ? 1 : 0;
+        traced[angle] += static_cast<int>(cells_->truths().traced - before);
         return ready;
     }
     void finish_view(std::span<ReadyCell> cells, const std::function<bool(const std::string&)>& goes_on) override {
@@ -37,7 +37,7 @@ public:
     bool is_device_lost() const override { return cells_->is_device_lost(); }
     gpu::DeviceStateSource& device_state() override { return cells_->device_state(); }
     std::size_t in_flight() const override { return cells_->in_flight(); }
-    double truth_seconds() const override { return cells_->truth_seconds(); }
+    TruthWork truths() const override { return cells_->truths(); }
 
     /// By view angle.
     std::map<double, int> made, traced;

@@ -14,7 +14,8 @@ RunOutcome outcome_of_four() {
     RunOutcome outcome;
     outcome.tally = {
         .ok = 3, .failed = 1, .stops = {{StopReason::precise, 2}, {StopReason::budget, 1}}, .throttled_cells = 1};
-    outcome.split = {.total_s = 20, .samples_s = 8, .truth_s = 1, .timing_s = 8, .timing_samples_s = 7.5};
+    outcome.split = {
+        .total_s = 20, .samples_s = 8, .truths = {.seconds = 1, .traced = 2}, .timing_s = 8, .timing_samples_s = 7.5};
     return outcome;
 }
 
@@ -25,7 +26,7 @@ TEST(RunSummary, SaysHowCellsEndedAndWhereTheTimeWent) {
         "cells": {"ok": 3, "skipped": 0, "failed": 1},
         "stop": {"precise": 2, "stalled": 0, "budget": 1, "rounds": 0, "time": 0},
         "throttled_cells": 1,
-        "total_s": 20.0, "samples_s": 8.0, "truth_s": 1.0,
+        "total_s": 20.0, "samples_s": 8.0, "truth_s": 1.0, "truths": {"traced": 2, "cached": 0},
         "timing": {"total_s": 8.0, "samples_s": 7.5, "utilisation": 0.9375},
         "empty_pass": {"median_ms": 0.00125, "mad_ms": 0.0, "n": 21}
     })"));
@@ -37,6 +38,14 @@ TEST(RunSummary, IsPrinted) {
     EXPECT_THAT(text, HasSubstr("93.8 % of it inside counted samples; an empty pass takes 0.0013 ms\n"));
     EXPECT_THAT(text, HasSubstr("sampling stopped: 2 cells precise enough, 1 cell with the budget spent; 1 cell counts "
                                 "throttled rounds\n"));
+}
+
+TEST(RunSummary, TellsTruthsThatWereCached) {
+    RunOutcome outcome = outcome_of_four();
+    outcome.split.truths = {.seconds = 1, .traced = 1, .cached = 2};
+    EXPECT_THAT(format_run_summary(outcome, empty_pass),
+                HasSubstr("1.0 s tracing 1 truth and reading 2 that were cached: 45 %\n"));
+    EXPECT_EQ(make_run_summary(outcome, empty_pass).at("truths"), Json::parse(R"({"traced": 1, "cached": 2})"));
 }
 
 TEST(RunSummary, OfARunInterruptedBeforeACellWasFinishedNamesNoReason) {

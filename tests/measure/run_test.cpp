@@ -63,7 +63,7 @@ public:
     bool is_device_lost() const override { return lost; }
     gpu::DeviceStateSource& device_state() override { return state_; }
     std::size_t in_flight() const override { return 1; }
-    double truth_seconds() const override { return 0; }
+    TruthWork truths() const override { return {}; }
 
     std::vector<std::string> made;
     std::set<std::string> losing_at_once;
