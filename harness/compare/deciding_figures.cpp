@@ -69,6 +69,8 @@ const std::vector<DecidingFigure>& default_deciding_figures() {
         deciding_figure({&known_figure(shadow)}),
         deciding_figure({&known_figure(motion)}),
         deciding_figure({&known_figure(motion_flip)}),
+        deciding_figure({&known_figure(ghosting)}),
+        deciding_figure({&known_figure(history_flip)}),
     };
     return figures;
 }

@@ -46,12 +46,14 @@ QualityComparison compare_quality_of(const SideCell& base, const SideCell& chang
     const bool truth = same_truth(*base.runs[0], *changed.runs[0]);
     const bool seen = same_lighting(*base.runs[0], *changed.runs[0]);
     const bool moved = same_motion(*base.runs[0], *changed.runs[0]);
+    const bool resolved = same_history(*base.runs[0], *changed.runs[0]);
     const auto means_the_same = [&](const FigureDeclaration& figure) {
         const auto needs = [&](std::string_view need) { return figure.has_need(need); };
         return (truth || !needs(figure_needs::truth)) && (moved || !needs(figure_needs::motion)) &&
+               (resolved || !needs(figure_needs::history)) &&
                (seen || !(needs(figure_needs::lighting) || needs(figure_needs::object)));
     };
-    if (!truth || !seen || !moved) {
+    if (!truth || !seen || !moved || !resolved) {
         before.figures.keep_only(means_the_same);
         after.figures.keep_only(means_the_same);
     }

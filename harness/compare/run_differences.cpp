@@ -6,11 +6,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 
 namespace reliefbench {
 
 namespace {
+
+/// Of the configuration's `motion`, those that say what becomes of the frames.
+constexpr std::array history_keys{"history_weight", "neighbourhood_clamp"};
 
 using reliefbench::value_at;
 Json value_at(const StoredRun& run, std::initializer_list<const char*> path) {
@@ -116,7 +120,20 @@ bool same_lighting(const StoredRun& base, const StoredRun& changed) {
 }
 
 bool same_motion(const StoredRun& base, const StoredRun& changed) {
-    return value_at(base, {"configuration", "motion"}) == value_at(changed, {"configuration", "motion"});
+    const auto motion_of = [](const StoredRun& run) {
+        Json motion = value_at(run, {"configuration", "motion"});
+        for (const char* key : history_keys) {
+            if (motion.is_object()) motion.erase(key);
+        }
+        return motion;
+    };
+    return motion_of(base) == motion_of(changed);
+}
+
+bool same_history(const StoredRun& base, const StoredRun& changed) {
+    return std::ranges::all_of(history_keys, [&](const char* key) {
+        return value_at(base, {"configuration", "motion", key}) == value_at(changed, {"configuration", "motion", key});
+    });
 }
 
 bool same_source(const StoredRun& base, const StoredRun& changed, const std::string& technique) {
@@ -186,10 +203,12 @@ std::vector<std::string> run_differences(const StoredRun& base, const StoredRun&
         differences.push_back(
             "the lighting or the object differs, so pictures, shadows and what is in front are not compared");
     }
-    if (!same_motion(base, changed)) {
+    if (!same_motion(base, changed) || !same_history(base, changed)) {
         append_member_differences(differences, "motion:", value_at(base, {"configuration", "motion"}),
                                   value_at(changed, {"configuration", "motion"}));
-        differences.push_back("the cameras move differently, so errors in motion are not compared");
+        differences.push_back(same_motion(base, changed)
+                                  ? "the histories differ, so ghosting and flicker with history are not compared"
+                                  : "the cameras move differently, so errors in motion are not compared");
     }
     compare("the CPU", {"environment", "cpu"});
     compare("the number of cores", {"environment", "cores"});

@@ -19,7 +19,10 @@ std::vector<std::string> run_differences(const StoredRun& base, const StoredRun&
 bool from_changed_tree(const StoredRun& run);
 bool same_truth(const StoredRun& base, const StoredRun& changed);
 bool same_lighting(const StoredRun& base, const StoredRun& changed);
+/// Cameras move alike, whatever becomes of the frames.
 bool same_motion(const StoredRun& base, const StoredRun& changed);
+/// The history that is carried along is blended alike.
+bool same_history(const StoredRun& base, const StoredRun& changed);
 /// What is compiled of the technique's own folder is the same on both sides, as far as the records prove it.
 bool same_source(const StoredRun& base, const StoredRun& changed, const std::string& technique);
 

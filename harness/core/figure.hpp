@@ -31,6 +31,8 @@ inline constexpr std::string_view object = "object";
 inline constexpr std::string_view curved_base = "curved_base";
 /// A camera that moves.
 inline constexpr std::string_view motion = "motion";
+/// What is kept of earlier frames while the camera moves.
+inline constexpr std::string_view history = "history";
 }  // namespace figure_needs
 
 /// A number of a cell, declared where it is computed and nowhere else: files, tables, verdicts and the report's page

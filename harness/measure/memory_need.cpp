@@ -30,6 +30,8 @@ constexpr std::uint64_t host_pixel = 128;
 constexpr std::uint64_t host_filtered_pixel = 16;
 /// A second probe and its truth.
 constexpr std::uint64_t host_motion_pixel = 100;
+/// The history and its still picture, those of the next frame, the sums of the latter, and what is computed from them.
+constexpr std::uint64_t host_history_pixel = 120;
 /// Targets and counters of the probed draw, one of them read back, and the timed draw's targets.
 constexpr std::uint64_t device_pixel = 92;
 
@@ -121,7 +123,10 @@ MemoryNeed cell_need(const Technique& technique, const Cell& cell, const BaseSur
     const std::uint64_t pixels = texels(cell.view.view.resolution);
     const std::uint64_t curved = is_flat(base) ? 0 : host_curved_pixel;
     const std::uint64_t filtered = configuration.truth.samples > 1 ? host_filtered_pixel : 0;
-    const std::uint64_t host = host_pixel + filtered + (configuration.motion ? host_motion_pixel + curved : 0);
+    const bool has_history = configuration.motion && configuration.motion->history_weight;
+    const std::uint64_t moving =
+        configuration.motion ? host_motion_pixel + curved + (has_history ? host_history_pixel : 0) : 0;
+    const std::uint64_t host = host_pixel + filtered + moving;
     const std::uint64_t triangles = is_flat(base) ? 0 : base_bytes(curved_base(base));
     // What the device has of the triangles is gathered here first.
     return {pixels * host + truth_need(cell, base, sizes, configuration.truth) + triangles,

@@ -1,10 +1,9 @@
 #include "measure/motion.hpp"
 
 #include "core/attempt.hpp"
-#include "core/error.hpp"
+#include "measure/followed_history.hpp"
 #include "metrics/flip.hpp"
 #include "metrics/motion_errors.hpp"
-#include "technique/cut_loops.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -15,7 +14,7 @@ namespace reliefbench {
 
 namespace {
 
-/// Of technique hits of the frame before, which every cell that is followed keeps.
+/// Of technique hits of the frame before, and of its history, which every cell that is followed keeps.
 constexpr std::size_t held_bytes = std::size_t{256} << 20U;
 
 /// What is known of a pair of frames before any technique is drawn.
@@ -34,12 +33,17 @@ struct FramePair {
 /// One cell followed from frame to frame.
 class FollowedCell {
 public:
-    explicit FollowedCell(const MotionSubject& subject) : subject_(subject) {}
+    /// `history`: empty, before its first frame, where there is none.
+    FollowedCell(const MotionSubject& subject, std::optional<FollowedHistory> history)
+        : subject_(subject), history_(std::move(history)) {}
 
     const std::string& id() const { return subject_.result->cell; }
     bool failed() const { return subject_.result->status == CellStatus::failed; }
 
-    void start(const gpu::Device& device, const Camera& camera) { hits_ = hits_from(device, camera); }
+    void start(const gpu::Device& device, const Camera& camera) {
+        hits_ = hits_from(device, camera);
+        if (history_) history_->start(device, *subject_.renderer, camera);
+    }
 
     void follow(const FramePair& pair, const Camera& next) {
         HitImage hits = hits_from(pair.device, next);
@@ -52,6 +56,7 @@ public:
         counts_.hit_once += change.hit_once;
         counts_.unseen += pair.motion.unseen;
         hits_ = std::move(hits);
+        if (history_) history_->follow(pair.device, *subject_.renderer, next, pair.second, pair.motion.landings);
     }
 
     void finish() const {
@@ -59,6 +64,7 @@ public:
         errors.texels = texels_.values();
         errors.flip = flip_.values();
         subject_.result->figures.add(figures_of(errors));
+        if (history_) subject_.result->figures.add(figures_of(history_->errors()));
     }
 
     void fail_with(const std::string& reason) const {
@@ -68,13 +74,7 @@ public:
 
 private:
     HitImage hits_from(const gpu::Device& device, const Camera& camera) const {
-        Probe probe = subject_.renderer->probe_from(camera);
-        for (const std::string& reason :
-             {reason_of_faults(probe.faults, probe.hits.texels.size()), describe_cut_loops(device, probe)}) {
-            if (reason.empty()) continue;
-            fail("in motion, from azimuth {:g}° and view angle {:g}°, {}", camera.azimuth, camera.view_angle, reason);
-        }
-        return std::move(probe.hits);
+        return checked_probe(device, *subject_.renderer, camera).hits;
     }
 
     static std::vector<double> flip_of(const MotionChange& change, const FramePair& pair) {
@@ -103,6 +103,7 @@ private:
     MotionFigures flip_;
     /// The counts alone.
     MotionErrors counts_;
+    std::optional<FollowedHistory> history_;
 };
 
 /// The next frame of every cell, which may fail. False when told to end.
@@ -150,10 +151,20 @@ bool follow_frames(SharedInputs& inputs, const ViewKey& view, const Configuratio
     return true;
 }
 
+std::optional<FollowedHistory> history_of(SharedInputs& inputs, const ViewKey& view,
+                                          const Configuration& configuration) {
+    const MotionSettings& motion = *configuration.motion;
+    if (!motion.history_weight) return std::nullopt;
+    return FollowedHistory(inputs.view(view), {*motion.history_weight, motion.neighbourhood_clamp},
+                           configuration.object);
+}
+
 /// A frame's truth that cannot be traced fails them all.
 bool follow_cells(SharedInputs& inputs, const ViewKey& view, const Configuration& configuration,
                   std::span<const MotionSubject> subjects, const GoesOn& goes_on) {
-    std::vector<FollowedCell> cells(subjects.begin(), subjects.end());
+    std::vector<FollowedCell> cells;
+    for (const MotionSubject& subject : subjects)
+        cells.emplace_back(subject, history_of(inputs, view, configuration));
     bool is_done = true;
     const std::string failure =
         failure_of([&] { is_done = follow_frames(inputs, view, configuration, cells, goes_on); });
@@ -173,7 +184,8 @@ bool follow_cells(SharedInputs& inputs, const ViewKey& view, const Configuration
 
 void measure_motion(SharedInputs& inputs, const ViewKey& view, const Configuration& configuration,
                     std::span<const MotionSubject> subjects, const GoesOn& goes_on) {
-    const std::size_t bytes_each = view.view.resolution.pixels() * sizeof(Hit);
+    const std::size_t bytes_of_history = configuration.motion->history_weight ? FollowedHistory::bytes_per_pixel : 0;
+    const std::size_t bytes_each = view.view.resolution.pixels() * (sizeof(Hit) + bytes_of_history);
     const std::size_t at_once = std::max<std::size_t>(1, held_bytes / bytes_each);
     for (std::size_t begin = 0; begin < subjects.size(); begin += at_once) {
         const auto some = subjects.subspan(begin, std::min(at_once, subjects.size() - begin));

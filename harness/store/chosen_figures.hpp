@@ -38,6 +38,8 @@ inline constexpr std::string_view shadow_taps = "work.shadow_taps_mean";
 inline constexpr std::string_view shadow = "error.shadow.mean";
 inline constexpr std::string_view motion = "motion.texels.mean";
 inline constexpr std::string_view motion_flip = "motion.flip.mean";
+inline constexpr std::string_view ghosting = "motion.ghosting.mean";
+inline constexpr std::string_view history_flip = "motion.history_flip.mean";
 
 }  // namespace chosen_figures
 

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/split.hpp"
+#include "metrics/history_errors.hpp"
 #include "metrics/hit_errors.hpp"
 #include "metrics/image_errors.hpp"
 #include "metrics/motion_errors.hpp"
@@ -27,7 +28,7 @@ std::vector<FigureDeclaration> all_declarations() {
     std::vector<FigureDeclaration> all;
     for (std::vector<FigureDeclaration> family :
          {time_figures(), work_figures(), hit_error_figures(), outline_error_figures(), raster_mismatch_figures(),
-          wrong_surface_figures(), shadow_error_figures(), image_error_figures(), motion_figures()})
+          wrong_surface_figures(), shadow_error_figures(), image_error_figures(), motion_figures(), history_figures()})
         std::move(family.begin(), family.end(), std::back_inserter(all));
     return all;
 }

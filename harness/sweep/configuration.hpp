@@ -63,9 +63,14 @@ struct MotionSettings {
 
     /// The first is the cell's own view.
     int frames = 9;
-    /// Between neighbouring frames. Along the view angle the camera goes towards head-on, and beyond.
+    /// Between neighbouring frames; 0, a still camera, with a history only. Along the view angle the camera goes towards
+    /// head-on, and beyond.
     double degrees = 0.25;
     Along along = Along::view_angle;
+    /// Of a history that is carried along, the fraction that a frame leaves of it, in [0, 1); empty: there is none.
+    std::optional<double> history_weight = {};
+    /// Whether the history is clamped to the 3×3 neighbourhood of each frame's pixel.
+    bool neighbourhood_clamp = false;
 };
 
 /// Of frame 0, 1, ....

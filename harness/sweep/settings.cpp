@@ -37,6 +37,8 @@ constexpr double largest_length = 1e6;
 constexpr int max_frames = 1000;
 constexpr double longest_step_degrees = 10;
 constexpr double longest_arc_degrees = 60;
+/// With 1 no frame would ever be seen.
+constexpr double largest_history_weight = 0.999;
 constexpr double largest_angular_radius = 45;
 /// In patch sides; there are floats in the way.
 constexpr double largest_object = 100;
@@ -121,7 +123,7 @@ const std::vector<std::string>& fog() {
 }
 
 const std::vector<std::string>& motion() {
-    static const std::vector<std::string> keys{"frames", "degrees", "along"};
+    static const std::vector<std::string> keys{"frames", "degrees", "along", "history_weight", "neighbourhood_clamp"};
     return keys;
 }
 
@@ -199,10 +201,22 @@ MotionSettings read_motion(const JsonView& view) {
     if (view.has("frames")) motion.frames = static_cast<int>(view.at("frames").integer(2, max_frames));
     if (view.has("degrees")) {
         motion.degrees = view.at("degrees").number(0, longest_step_degrees);
-        if (motion.degrees == 0) view.at("degrees").fail_expected("degrees above 0");
+        if (motion.degrees == 0 && !view.has("history_weight")) {
+            view.at("degrees").fail_expected(
+                "degrees above 0 (a still camera has errors in motion with a history only)");
+        }
     }
     if (view.has("along")) {
         motion.along = static_cast<MotionSettings::Along>(view.at("along").choice(motion_directions));
+    }
+    if (view.has("history_weight")) {
+        motion.history_weight = view.at("history_weight").number(0, largest_history_weight);
+    }
+    if (view.has("neighbourhood_clamp")) {
+        motion.neighbourhood_clamp = view.at("neighbourhood_clamp").boolean();
+        if (!motion.history_weight) {
+            view.at("neighbourhood_clamp").fail_expected("a history_weight beside it: there is no history to clamp");
+        }
     }
     if ((motion.frames - 1) * motion.degrees > longest_arc_degrees) {
         view.fail_expected(fmt::format("an arc of at most {} degrees, (frames - 1) * degrees", longest_arc_degrees));
@@ -296,9 +310,15 @@ Json to_json(const Lighting& lighting) {
 }
 
 Json to_json(const MotionSettings& motion) {
-    return {{"frames", motion.frames},
-            {"degrees", motion.degrees},
-            {"along", motion_directions[static_cast<std::size_t>(motion.along)]}};
+    Json json = {{"frames", motion.frames},
+                 {"degrees", motion.degrees},
+                 {"along", motion_directions[static_cast<std::size_t>(motion.along)]}};
+    // Without a history a run's record is as those of versions that know none.
+    if (motion.history_weight) {
+        json["history_weight"] = *motion.history_weight;
+        json["neighbourhood_clamp"] = motion.neighbourhood_clamp;
+    }
+    return json;
 }
 
 }  // namespace reliefbench

@@ -367,6 +367,23 @@ TEST(CompareRuns, MotionIsComparedOnlyAlongTheSameArc) {
     EXPECT_THAT(other.notices, Contains("motion: degrees changed from 0.25 to 0.5"));
 }
 
+TEST(CompareRuns, HistoriesAreComparedOnlyWhenTheyAreBlendedAlike) {
+    CellResult before = cell_result("c", 1);
+    set_figures(before, {{"motion.flip.mean", 0.1}, {"motion.ghosting.mean", 0.1}, {"motion.history_flip.mean", 0.1}});
+    CellResult worse = before;
+    set_figures(worse, {{"motion.flip.mean", 0.2}, {"motion.ghosting.mean", 0.2}, {"motion.history_flip.mean", 0.2}});
+    StoredRun base = one_run("base", {before});
+    StoredRun changed = one_run("new", {worse});
+    base.run.run["configuration"]["motion"] = changed.run.run["configuration"]["motion"] = {{"history_weight", 0.9}};
+    EXPECT_THAT(changed_fields(compare_one(base, changed)),
+                testing::UnorderedElementsAre("motion.flip.mean", "motion.ghosting.mean", "motion.history_flip.mean"));
+    changed.run.run["configuration"]["motion"]["history_weight"] = 0.95;
+    const Comparison other = compare_one(base, changed);
+    EXPECT_THAT(changed_fields(other), ElementsAre("motion.flip.mean"));
+    EXPECT_THAT(other.notices, Contains("motion: history_weight changed from 0.9 to 0.95"));
+    EXPECT_THAT(other.notices, Contains(HasSubstr("the histories differ")));
+}
+
 TEST(CompareRuns, OneRunASideTellsQualityWhateverTheTimesAndTheDevices) {
     CellResult before = cell_result("c", 1);
     set_figure(before, "image.flip", 0.1);

@@ -74,6 +74,62 @@ TEST_F(Motion, RanksStairStepsAboveFineLayersAboveExactHits) {
     }
 }
 
+TEST_F(Motion, AHistoryMovesNoOtherFigure) {
+    view_.view.resolution = {48, 48};
+    const std::vector<CellResult> without = measure(coarse_to_exact);
+    configuration_.motion->history_weight = 0.9;
+    const std::vector<CellResult> with = measure(coarse_to_exact);
+    for (std::size_t cell = 0; cell < without.size(); ++cell) {
+        for (const FigureDeclaration& figure : figures()) {
+            const std::optional<double> value = value_of(figure, with[cell]);
+            if (figure.has_need(figure_needs::history)) {
+                EXPECT_TRUE(value) << figure.path;
+                EXPECT_FALSE(value_of(figure, without[cell])) << figure.path;
+            } else {
+                EXPECT_EQ(value, value_of(figure, without[cell])) << figure.path;
+            }
+        }
+    }
+}
+
+TEST_F(Motion, TheHistoryOfAStillCameraConvergesToTheMeanOfItsFrames) {
+    view_.view.resolution = {48, 48};
+    configuration_.motion = MotionSettings{.frames = 48, .degrees = 0};
+    for (const Projection projection : {Projection::parallel, Projection::perspective}) {
+        view_.view.camera.projection = projection;
+        std::vector<double> ghosting;
+        std::vector<double> flicker;
+        for (const double weight : {0.0, 0.8, 0.95}) {
+            configuration_.motion->history_weight = weight;
+            const CellResult result = measure({coarse_to_exact.front()}).front();
+            ASSERT_EQ(result.reason, "");
+            ghosting.push_back(value_of("motion.ghosting.mean", result).value());
+            flicker.push_back(value_of("motion.history_flip.mean", result).value());
+        }
+        // Frames by themselves are as far from the mean as their samples scatter. Equal and independent ones leave
+        // √((1 − weight) / (1 + weight)) of that: 0.33 and 0.16.
+        EXPECT_GT(ghosting[0], 0.03);
+        EXPECT_LT(ghosting[1], 0.4 * ghosting[0]);
+        EXPECT_LT(ghosting[2], 0.2 * ghosting[0]);
+        EXPECT_LT(flicker[1], 0.3 * flicker[0]);
+        EXPECT_LT(flicker[2], 0.1 * flicker[0]);
+    }
+}
+
+TEST_F(Motion, AHistoryGhostsAndTheClampTakesMostOfItAway) {
+    configuration_.motion = MotionSettings{.frames = 12, .degrees = 1.5, .along = MotionSettings::Along::azimuth};
+    view_.view.camera.projection = Projection::perspective;
+    view_.view.relief.height_scale = 0.2;
+    const auto ghosting = [&](double weight, bool clamp) {
+        configuration_.motion->history_weight = weight;
+        configuration_.motion->neighbourhood_clamp = clamp;
+        return value_of("motion.ghosting.mean", measure({coarse_to_exact.back()}).front()).value();
+    };
+    const double kept = ghosting(0.9, false);
+    EXPECT_LT(ghosting(0.9, true), 0.8 * kept);
+    EXPECT_EQ(ghosting(0, true), ghosting(0, false)) << "each frame by itself";
+}
+
 TEST_F(Motion, OverACylinderHitsByBentRaysMoveAsTheTruthDoes) {
     configuration_.motion->frames = 2;
     view_.view.resolution = {48, 48};

@@ -197,6 +197,10 @@ TEST(Configuration, WhatIsWrongIsNamedWithItsPlace) {
          "$.lighting.lights[0].direction: expected a direction that is not zero"},
         {with_member(R"("lighting": {"ambient": [0.1, 0.1]})"), "$.lighting.ambient: expected three numbers"},
         {with_member(R"("lighting": {"fog": {"range": 0}})"), "$.lighting.fog.range: expected a length above 0"},
+        {with_member(R"("motion": {"degrees": 0})"), "$.motion.degrees: expected degrees above 0"},
+        {with_member(R"("motion": {"neighbourhood_clamp": true})"),
+         "$.motion.neighbourhood_clamp: expected a history_weight beside it"},
+        {with_member(R"("motion": {"history_weight": 1})"), "$.motion.history_weight: expected a number"},
         {with_member(R"("motion": {"frames": 1000})"),
          "$.motion: expected an arc of at most 60 degrees, (frames - 1) * degrees"},
         {with_member(R"("images": "yes")"), "$.images: expected true or false"},
@@ -241,7 +245,7 @@ TEST(Sampling, IsSetByName) {
 
 TEST(Configuration, ReadsBackFromWhatIsWrittenToRunJson) {
     const std::string text = with(
-        R"("name": "round", "seed": 5, "images": true, "motion": {"degrees": 1}, "zip": [["view_angle", "azimuth"]],
+        R"("name": "round", "seed": 5, "images": true, "motion": {"degrees": 1, "history_weight": 0.9}, "zip": [["view_angle", "azimuth"]],
         "axes": {"heightmap": ["rock", {"name": "bricks", "size": "64x32", "seed": 3}], "view_angle": [0, 60],
                  "azimuth": [0, 22.5], "sample_count": [16, 32]}, "exclude": [{"technique": "plain", "view_angle": 60}],
         "truth": {"kind": "mesh", "samples": 16}, "lighting": {"fog": {}, "shininess": 3}, "sampling": {"rounds": 7}, "preparation": {"limit_s": 5})",
