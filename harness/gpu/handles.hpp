@@ -47,6 +47,8 @@ struct DeviceHandles {
     vk::raii::PipelineCache pipeline_cache{nullptr};
     /// On the heap: found out of a Device that is const.
     std::unique_ptr<KnownLoopLimit> loop_limit = std::make_unique<KnownLoopLimit>();
+    /// Likewise, by gpu/anisotropic_gradients.hpp.
+    std::unique_ptr<std::optional<bool>> anisotropy_takes_gradients = std::make_unique<std::optional<bool>>();
 
     /// Whether the device is still there; it has nothing to do then.
     bool wait_until_idle() const;

@@ -210,13 +210,17 @@ vk::raii::Sampler make_sampler(const Device& device, const SamplerOptions& optio
     const auto mip_mode =
         options.filter == vk::Filter::eLinear ? vk::SamplerMipmapMode::eLinear : vk::SamplerMipmapMode::eNearest;
     return translate_errors("make a sampler", handles.info.name, [&] {
-        return vk::raii::Sampler(handles.device, vk::SamplerCreateInfo{.magFilter = options.filter,
-                                                                       .minFilter = options.filter,
-                                                                       .mipmapMode = mip_mode,
-                                                                       .addressModeU = options.address,
-                                                                       .addressModeV = options.address,
-                                                                       .addressModeW = options.address_across_slices,
-                                                                       .maxLod = VK_LOD_CLAMP_NONE});
+        return vk::raii::Sampler(handles.device,
+                                 vk::SamplerCreateInfo{.magFilter = options.filter,
+                                                       .minFilter = options.filter,
+                                                       .mipmapMode = mip_mode,
+                                                       .addressModeU = options.address,
+                                                       .addressModeV = options.address,
+                                                       .addressModeW = options.address_across_slices,
+                                                       .mipLodBias = options.mip_bias,
+                                                       .anisotropyEnable = options.anisotropy.has_value(),
+                                                       .maxAnisotropy = options.anisotropy.value_or(1),
+                                                       .maxLod = VK_LOD_CLAMP_NONE});
     });
 }
 

@@ -126,6 +126,7 @@ PFN_vkGetPhysicalDeviceFeatures2 next_get_features = nullptr;
 VKAPI_ATTR void VKAPI_CALL get_features(VkPhysicalDevice device, VkPhysicalDeviceFeatures2* features) {
     next_get_features(device, features);
     if (std::getenv("RELIEFBENCH_WITHOUT_TESSELLATION") != nullptr) features->features.tessellationShader = VK_FALSE;
+    if (std::getenv("RELIEFBENCH_WITHOUT_ANISOTROPY") != nullptr) features->features.samplerAnisotropy = VK_FALSE;
 }
 
 /// Whether the variable of the environment names a value of one of the pipeline's specialization constants.

@@ -3,7 +3,7 @@
 // What tests ask of the Vulkan layer VK_LAYER_RELIEFBENCH_faulty in their own process, by the names of its C functions.
 // A process that only its environment reaches asks by variables, each the value of an integer specialization constant:
 // RELIEFBENCH_CRASH_AT, RELIEFBENCH_LOSE_DEVICE_AT and RELIEFBENCH_REFUSE_MEMORY_AT, when a graphics pipeline has it.
-// With RELIEFBENCH_WITHOUT_TESSELLATION the device lacks that feature.
+// With RELIEFBENCH_WITHOUT_TESSELLATION or RELIEFBENCH_WITHOUT_ANISOTROPY the device lacks that feature.
 
 extern "C" {
 
