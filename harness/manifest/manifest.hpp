@@ -119,6 +119,9 @@ enum class ShadowSearch {
 /// Contract 1 is that of version 0.1.0, 2 that of version 0.2.0.
 inline constexpr int newest_contract = 2;
 
+/// The pass of the harness that makes mips of albedo and normals where cells filter them: no technique has one of that name.
+inline constexpr const char* material_mips_pass = "material_mips";
+
 /// technique.json, read and checked. Pure data. Its schema is told in docs/adding_a_technique.md.
 struct Manifest {
     /// The folder's name.

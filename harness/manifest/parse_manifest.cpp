@@ -144,6 +144,8 @@ PassDeclaration parse_pass(const JsonView& view, const Manifest& manifest, std::
     if (std::ranges::find(manifest.passes, pass.name, &PassDeclaration::name) != manifest.passes.end()) {
         view.at("name").fail_here(fmt::format("the name '{}' is given twice", pass.name));
     }
+    if (pass.name == material_mips_pass)
+        view.at("name").fail_here(fmt::format("'{}' is a pass of the harness; choose another name", pass.name));
     pass.shader = parse_shader_path(view.at("shader"));
     pass.writes = view.at("writes").string();
     if (view.has("levels")) pass.levels = static_cast<PassDeclaration::Levels>(view.at("levels").choice(pass_levels));

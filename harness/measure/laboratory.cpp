@@ -89,7 +89,7 @@ void Laboratory::prepare(const Cell& cell, const LaboratoryCallbacks& callbacks,
     begin("compiling");
     Renderer renderer(inputs_.device(), technique, cell.parameters, loaded.scene, inputs_.view(cell.view),
                       configuration_.lighting, configuration_.object);
-    if (!technique.manifest.passes.empty()) begin("making its maps");
+    if (!technique.manifest.passes.empty() || cell.view.view.material.has_mips()) begin("making its maps");
     Preparation preparation = maps_.failed.prepare(
         inputs_.device(), renderer, [&](Renderer& with_maps) { return prepare_maps(with_maps, callbacks, timing); },
         maps_.on_maps);

@@ -130,7 +130,8 @@ MemoryNeed cell_need(const Technique& technique, const Cell& cell, const BaseSur
     const std::uint64_t triangles = is_flat(base) ? 0 : base_bytes(curved_base(base));
     // What the device has of the triangles is gathered here first.
     return {pixels * host + truth_need(cell, base, sizes, configuration.truth) + triangles,
-            pixels * device_pixel + derived_map_bytes(technique, cell.parameters, sizes.height_map) + triangles};
+            pixels * device_pixel + derived_map_bytes(technique, cell.parameters, sizes.height_map) +
+                material_mip_bytes(cell.view.view.material, sizes.height_map, sizes.albedo) + triangles};
 }
 
 MemoryNeed with_inputs(MemoryNeed cell, const InputSizes& sizes, HeightFormat format) {

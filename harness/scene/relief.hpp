@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/camera.hpp"
+#include "scene/material_filter.hpp"
 #include "scene/self_shadow.hpp"
 #include "scene/surface/base_surface.hpp"
 
@@ -51,6 +52,7 @@ struct View {
     Resolution resolution{256, 256};
     SelfShadow self_shadow = {};
     DepthWrite depth_write = DepthWrite::on;
+    MaterialFilter material = {};
     /// Which frame of a sequence it is, from 0: the camera's shift and what techniques vary by frame change with it.
     /// Empty for a picture by itself, whose shaders know no frames; its camera has no shift.
     std::optional<int> frame = {};

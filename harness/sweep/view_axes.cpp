@@ -5,6 +5,7 @@
 #include "sweep/axis_kinds.hpp"
 #include "sweep/base_axes.hpp"
 #include "sweep/height_map_value.hpp"
+#include "sweep/material_axes.hpp"
 #include "sweep/self_shadow_axes.hpp"
 
 #include <fmt/format.h>
@@ -187,6 +188,8 @@ std::vector<ViewAxis> make_view_axes() {
              "depth left to what is drawn with it: the point's, the polygon's, or the point's declared conservative",
          .also_called = {"depth", "z_write", "zwrite", "early_z"}},
         {"on", "off", "conservative"}, [](auto& key) -> auto& { return key.view.depth_write; })));
+    for (ViewAxis& axis : material_axes())
+        axes.push_back(moving_no_hits(std::move(axis)));
     return axes;
 }
 
@@ -272,6 +275,7 @@ ViewKey make_view(const std::vector<ViewChoice>& choices) {
     }
     if (view.base.kind != BaseSource::Kind::file) view.base.fit = BaseSource{}.fit;
     reset_unused(view.view.self_shadow);
+    reset_unused(view.view.material);
     return view;
 }
 

@@ -201,6 +201,23 @@ gpu::SpecializationValues self_shadow_constants(const SelfShadow& self_shadow) {
             {"self_shadow_softening", bits(self_shadow.softening)}};
 }
 
+/// What surface.glsl and the stages go by where the material has mips; how these are read is the sampler's.
+std::string declare_material(const MaterialFilter& filter) {
+    if (!filter.has_mips()) return {};
+    const auto gradients = [&] {
+        switch (filter.gradients) {
+            case MaterialFilter::Gradients::before_search:
+                return "BEFORE_SEARCH";
+            case MaterialFilter::Gradients::from_result:
+                return "FROM_RESULT";
+            case MaterialFilter::Gradients::analytic:
+                return "ANALYTIC";
+        }
+        return "";
+    };
+    return fmt::format("#define RELIEFBENCH_MATERIAL_MIPS 1\n#define RELIEFBENCH_GRADIENTS_{} 1\n", gradients());
+}
+
 }  // namespace
 
 bool indexes_scene(const gpu::Device& device) {
@@ -233,9 +250,9 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
                                   compile_time_key(manifest, parameters));
     const BaseSurface base = drawn_base(manifest, view.relief.base);
     const std::string of_pipeline = pipeline_of(manifest).preamble(manifest, parameters, base);
-    const std::string of_rays = declare_rays(base, view);
-    preamble += of_pipeline + of_rays;
-    key += of_pipeline + of_rays;
+    const std::string of_view = declare_rays(base, view) + declare_material(view.material);
+    preamble += of_pipeline + of_view;
+    key += of_pipeline + of_view;
 
     std::vector<gpu::CompiledStage> stages;
     for (const std::string& file : stage_files(manifest.shape.kind)) {

@@ -109,6 +109,7 @@ struct Renderer::State {
           lighting(used_lighting),
           maps(device, technique, parameters, scene.textures()),
           base(scene.textures().bases.get(drawn_base(technique.manifest, view.relief.base))),
+          material(filtered_material(device, scene, view.material)),
           object(used_object),
           uniforms(make_uniforms(view)),
           setup(make_setup(view, uniforms)) {
@@ -116,6 +117,12 @@ struct Renderer::State {
         compile_draw(device, technique, parameters, Variant::timed, view);
         compile_draw(device, technique, parameters, Variant::probed, view);
     }
+
+    /// Textures of the material with mips, and how they are read.
+    struct FilteredMaterial {
+        std::shared_ptr<const MaterialMips> mips;
+        vk::raii::Sampler sampler;
+    };
 
     const gpu::Device& device;
     Technique technique;
@@ -126,6 +133,8 @@ struct Renderer::State {
     DerivedMaps maps;
     /// Null for a flat one.
     std::shared_ptr<const BaseOnDevice> base;
+    /// Empty where it is read at level 0.
+    std::optional<FilteredMaterial> material;
     std::optional<SceneObject> object;
     gpu::Buffer uniforms;
     DrawSetup setup;
@@ -137,6 +146,8 @@ struct Renderer::State {
         return *display_draw;
     }
 
+    static std::optional<FilteredMaterial> filtered_material(const gpu::Device& device, const SceneOnDevice& scene,
+                                                             const MaterialFilter& filter);
     DrawGeometry geometry_of(const View& from) const;
     gpu::Buffer make_uniforms(const View& from) const;
     /// Of a draw that reads its scene's values from `values`.
@@ -149,6 +160,13 @@ struct Renderer::State {
     /// The one asked for last. Below the draw that it records, so that it is destroyed first.
     std::unique_ptr<TimedRecording> timing;
 };
+
+std::optional<Renderer::State::FilteredMaterial> Renderer::State::filtered_material(const gpu::Device& device,
+                                                                                    const SceneOnDevice& scene,
+                                                                                    const MaterialFilter& filter) {
+    if (!filter.has_mips()) return std::nullopt;
+    return FilteredMaterial{scene.textures().material_mips(), make_material_sampler(device, filter)};
+}
 
 DrawGeometry Renderer::State::geometry_of(const View& from) const {
     return pipeline_of(technique.manifest)
@@ -166,7 +184,10 @@ DrawSetup Renderer::State::make_setup(const View& from, const gpu::Buffer& value
     result.constants = parameter_constants(technique.manifest, parameters);
     result.constants["lighting_enabled"] = lighting.enabled ? 1 : 0;
     result.constants.merge(view_constants(from));
-    result.bindings = scene.textures().all_bindings();
+    result.bindings = scene.textures().height_bindings();
+    for (const gpu::Binding& texture :
+         material ? material->mips->bindings(material->sampler) : scene.textures().material_bindings())
+        result.bindings.push_back(texture);
     result.bindings.push_back(gpu::uniform_buffer(scene_block_name, values.buffer));
     for (const gpu::Binding& map : maps.draw_bindings())
         result.bindings.push_back(map);
@@ -248,11 +269,15 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Preparation Renderer::prepare(const PreparationSettings& settings) {
     Preparation preparation = state_->maps.prepare(settings);
     state_->prepared = preparation.given_up.empty();
+    if (state_->prepared && state_->material) {
+        preparation.pass_ms[material_mips_pass] = state_->material->mips->make(settings.samples);
+        preparation.bytes += state_->material->mips->bytes();
+    }
     return preparation;
 }
 
 std::string Renderer::maps_key() const {
-    return state_->maps.key();
+    return state_->material ? state_->maps.key() + " " + material_mips_pass : state_->maps.key();
 }
 
 Probe Renderer::probe() {

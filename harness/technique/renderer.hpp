@@ -101,12 +101,12 @@ struct PreparationSettings {
     std::function<void(const PreparationProgress&)> on_progress = {};
 };
 
-/// Preparation: compute passes run in the manifest's order.
+/// Preparation: compute passes run in the manifest's order, and then the mips of a filtered material.
 struct Preparation {
     /// Milliseconds of each run, by pass (all levels and slices of a pass together); of maps that were kept, those of
     /// making them.
     std::map<std::string, std::vector<double>> pass_ms;
-    /// Device memory of the derived maps; without scratch maps, which are gone by then.
+    /// Device memory of the derived maps and of the material's mips; without scratch maps, which are gone by then.
     std::uint64_t bytes = 0;
     /// Whether the maps were taken from the cache.
     bool kept = false;
@@ -133,7 +133,8 @@ public:
     Renderer(Renderer&&) noexcept;
 
     Preparation prepare(const PreparationSettings& settings = {});
-    /// The same for all renderers whose maps are made in the same way from the same height map, whatever they draw.
+    /// The same for all renderers whose maps, with or without the material's mips, are made in the same way from the
+    /// same height map, whatever they draw.
     std::string maps_key() const;
     Probe probe();
     /// The same from another camera, with the maps prepared once; of a sequence's frame where one is given
@@ -165,6 +166,10 @@ std::string unsupported_reason(const gpu::Device& device, const Technique& techn
 
 /// Of the technique's derived maps on the device, those that exist while they are made only included.
 std::uint64_t derived_map_bytes(const Technique& technique, const ParameterValues& parameters, Resolution height_map);
+
+/// Of albedo and derivatives with their mip chains, beside the textures that every cell has; 0 where the material is
+/// read at level 0.
+std::uint64_t material_mip_bytes(const MaterialFilter& filter, Resolution height_map, Resolution albedo);
 
 /// At most, of the triangles of a base that is not flat on the device, with what finds those of a chart.
 std::uint64_t base_bytes(const BaseMesh& mesh);

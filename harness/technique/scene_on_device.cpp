@@ -10,7 +10,9 @@ namespace reliefbench {
 
 namespace {
 
-constexpr auto sampled = vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst;
+/// The material's textures are the base of mip chains.
+constexpr auto sampled =
+    vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst | vk::ImageUsageFlagBits::eTransferSrc;
 
 vk::Extent2D extent_of(Resolution size) {
     return {static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height)};
@@ -86,7 +88,8 @@ SceneOnDevice::Textures::Textures(const gpu::Device& device, const HeightMap& ma
       albedo(make_albedo_texture(device, scene_albedo)),
       linear_repeat(gpu::make_sampler(device, {})),
       nearest_repeat(gpu::make_sampler(device, {.filter = vk::Filter::eNearest})),
-      bases(device) {}
+      bases(device),
+      device_(&device) {}
 
 std::vector<gpu::Binding> SceneOnDevice::Textures::height_bindings() const {
     constexpr auto layout = vk::ImageLayout::eShaderReadOnlyOptimal;
@@ -94,12 +97,17 @@ std::vector<gpu::Binding> SceneOnDevice::Textures::height_bindings() const {
             gpu::sampled_image("height_texels", heights.view, nearest_repeat, layout)};
 }
 
-std::vector<gpu::Binding> SceneOnDevice::Textures::all_bindings() const {
+std::vector<gpu::Binding> SceneOnDevice::Textures::material_bindings() const {
     constexpr auto layout = vk::ImageLayout::eShaderReadOnlyOptimal;
-    std::vector<gpu::Binding> bindings = height_bindings();
-    bindings.push_back(gpu::sampled_image("height_derivatives", derivatives.view, linear_repeat, layout));
-    bindings.push_back(gpu::sampled_image("albedo_map", albedo.view, linear_repeat, layout));
-    return bindings;
+    return {gpu::sampled_image("height_derivatives", derivatives.view, linear_repeat, layout),
+            gpu::sampled_image("albedo_map", albedo.view, linear_repeat, layout)};
+}
+
+std::shared_ptr<const MaterialMips> SceneOnDevice::Textures::material_mips() const {
+    if (std::shared_ptr<const MaterialMips> shared = mips_in_use_.lock()) return shared;
+    auto made = std::make_shared<const MaterialMips>(*device_, albedo, derivatives);
+    mips_in_use_ = made;
+    return made;
 }
 
 SceneOnDevice::SceneOnDevice(const gpu::Device& device, const HeightMap& map, const Albedo& albedo)

@@ -5,8 +5,10 @@
 #include "gpu/memory.hpp"
 #include "gpu/pipeline.hpp"
 #include "technique/base_on_device.hpp"
+#include "technique/material_mips.hpp"
 #include "technique/renderer.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,8 +28,15 @@ struct SceneOnDevice::Textures {
 
     /// What preparation passes see.
     std::vector<gpu::Binding> height_bindings() const;
-    /// What draws see.
-    std::vector<gpu::Binding> all_bindings() const;
+    /// What draws see besides, where the material has no mips.
+    std::vector<gpu::Binding> material_bindings() const;
+    /// What they see in its place; shared by who draws with it, and not there while nobody does.
+    std::shared_ptr<const MaterialMips> material_mips() const;
+
+private:
+    const gpu::Device* device_;
+    /// What is in it is a matter of who draws, not of the scene.
+    mutable std::weak_ptr<const MaterialMips> mips_in_use_;
 };
 
 vk::Format vulkan_format(HeightFormat format);

@@ -1,6 +1,7 @@
 #include "core/error.hpp"
 #include "technique/derived_maps.hpp"
 #include "technique/map_needs.hpp"
+#include "technique/material_mips.hpp"
 #include "technique/pipeline/draw_pipeline.hpp"
 #include "technique/renderer.hpp"
 
@@ -95,6 +96,8 @@ std::string unsupported_reason(const gpu::Device& device, const Technique& techn
     for (const std::string& feature : needed) {
         if (!info.has_feature(feature)) return fmt::format("{} lacks the feature {}", info.name, feature);
     }
+    const std::string unfiltered = unsupported_material(device, view.material);
+    if (!unfiltered.empty()) return unfiltered;
     const std::string undrawn = pipeline.unsupported(device, {technique.manifest, parameters, view, height_map});
     if (!undrawn.empty()) return undrawn;
     const int largest = std::max({view.resolution.width, view.resolution.height, height_map.width, height_map.height});
@@ -124,6 +127,12 @@ std::uint64_t derived_map_bytes(const Technique& technique, const ParameterValue
         bytes += map.mip_chain ? base + base / 3 : base;
     }
     return bytes;
+}
+
+std::uint64_t material_mip_bytes(const MaterialFilter& filter, Resolution height_map, Resolution albedo) {
+    if (!filter.has_mips()) return 0;
+    const std::uint64_t bases = (std::uint64_t{height_map.pixels()} + albedo.pixels()) * scene_bytes_per_texel;
+    return bases + bases / 3;
 }
 
 std::uint64_t device_memory_bytes(const gpu::Device& device) {

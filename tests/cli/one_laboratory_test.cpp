@@ -236,6 +236,14 @@ TEST_F(OneLaboratory, AFeatureThatTheDeviceLacksSkipsTheCellEverywhere) {
                 AllOf(HasSubstr("skip  mine: runs on this device"), HasSubstr("lacks the feature tessellationShader")));
 }
 
+TEST_F(OneLaboratory, AnisotropyThatTheDeviceLacksSkipsTheCellEverywhere) {
+    write_technique("Trace trace(ReliefRay ray) { return hit_on_ray(1.0 - tap_height(ray.uv), 1); }");
+    Json json = configuration();
+    json["axes"]["material_filter"] = "anisotropic";
+    expect_same_ending("anisotropy", json, "skipped", "lacks the feature samplerAnisotropy", false,
+                       with_faulty_layer + "RELIEFBENCH_WITHOUT_ANISOTROPY=1");
+}
+
 TEST_F(OneLaboratory, APreparationBeyondItsLimitSkipsTheCellEverywhere) {
     write_technique("Trace trace(ReliefRay ray) { return hit_on_ray(1.0 - tap_height(ray.uv), 1); }",
                     R"(, "maps": [{"name": "made", "format": "r32f"}],

@@ -97,13 +97,15 @@ TEST(Expansion, IdsNameEveryAxisThatIsNotAtItsDefault) {
                 ElementsAre("mesh factor=16 bias=0.25 | heightmap=rock heightmap_size=512x128 height_format=r32f "
                             "view_angle=12.5 azimuth=22.5 distance=2 fov=60 base=saddle curvature=-0.5 "
                             "base_segments=64 height_scale=0.1 tiling=4 boundary=repeat resolution=640x480"));
-    EXPECT_EQ(axes_to_json(cells[0].view).dump(),
-              R"({"heightmap":"rock","heightmap_size":"512x128","height_format":"r32f","view_angle":12.5,)"
-              R"("azimuth":22.5,"projection":"perspective","distance":2.0,"fov":60.0,"base":"saddle",)"
-              R"("curvature":-0.5,"base_segments":64,"base_fit":null,"height_scale":0.1,"tiling":4.0,"boundary":"repeat",)"
-              R"("resolution":"640x480","self_shadow":"off","soft_shadow":null,)"
-              R"("hard_shadow_bias":null,"dykhta_bias":null,"shadow_min_steps":null,"shadow_max_steps":null,)"
-              R"("shadow_softening":null,"depth_write":"on"})");
+    EXPECT_EQ(
+        axes_to_json(cells[0].view).dump(),
+        R"({"heightmap":"rock","heightmap_size":"512x128","height_format":"r32f","view_angle":12.5,)"
+        R"("azimuth":22.5,"projection":"perspective","distance":2.0,"fov":60.0,"base":"saddle",)"
+        R"("curvature":-0.5,"base_segments":64,"base_fit":null,"height_scale":0.1,"tiling":4.0,"boundary":"repeat",)"
+        R"("resolution":"640x480","self_shadow":"off","soft_shadow":null,)"
+        R"("hard_shadow_bias":null,"dykhta_bias":null,"shadow_min_steps":null,"shadow_max_steps":null,)"
+        R"("shadow_softening":null,"depth_write":"on","material_filter":"lod0","anisotropy":null,)"
+        R"("mip_bias":null,"material_gradients":null})");
     EXPECT_EQ(parameters_to_json(cells[0].parameters).dump(), R"({"bias":0.25,"factor":16})");
     EXPECT_EQ(cell_id(fake_techniques()[3], cells[0].parameters, cells[0].view), cells[0].id);
 }
@@ -114,6 +116,25 @@ TEST(Expansion, DefaultsThatAreSpelledOutMakeTheSameIds) {
         "distance": 1.5, "fov": 45, "height_scale": 0.05, "tiling": 1, "boundary": "clip", "resolution": "256x256",
         "max_steps": 32.0, "min_steps": 8, "adaptive": false}})")),
                 ElementsAre("march | heightmap=rock"));
+}
+
+// What the filter has no use for makes no second view.
+TEST(Expansion, SettingsOfMipsBelongToTheirFilter) {
+    const auto ids_with = [](const char* filter) {
+        std::string text = R"({"techniques": ["plain"], "axes": {"heightmap": "rock", "material_filter": "%s",
+            "anisotropy": [2, 16], "mip_bias": [-1, 0], "material_gradients": ["before_search", "analytic"]}})";
+        text.replace(text.find("%s"), 2, filter);
+        return ids(expand_text(text));
+    };
+    const std::string plain = "plain | heightmap=rock";
+    EXPECT_THAT(ids_with("lod0"), ElementsAre(plain));
+    EXPECT_THAT(ids_with("mip"), ElementsAre(plain + " material_filter=mip mip_bias=-1",
+                                             plain + " material_filter=mip mip_bias=-1 material_gradients=analytic",
+                                             plain + " material_filter=mip",
+                                             plain + " material_filter=mip material_gradients=analytic"));
+    EXPECT_EQ(ids_with("anisotropic").size(), 8U);
+    EXPECT_EQ(ids_with("anisotropic").front(), plain + " material_filter=anisotropic anisotropy=2 mip_bias=-1");
+    EXPECT_EQ(ids_with("anisotropic").back(), plain + " material_filter=anisotropic material_gradients=analytic");
 }
 
 // What one way of shadowing has no use for makes no second view.

@@ -7,7 +7,7 @@
 namespace reliefbench {
 namespace {
 
-TEST(ViewAxes, WhatMovesNoHitIsShadowsAndTheDepthThatIsWritten) {
+TEST(ViewAxes, WhatMovesNoHitIsShadowsTheDepthThatIsWrittenAndHowTheMaterialIsRead) {
     ViewKey view;
     view.view.camera.view_angle = 60;
     ViewKey lit = view;
@@ -19,6 +19,10 @@ TEST(ViewAxes, WhatMovesNoHitIsShadowsAndTheDepthThatIsWritten) {
     lit.view.self_shadow.min_steps = 3;
     lit.view.self_shadow.max_steps = 4;
     lit.view.depth_write = DepthWrite::conservative;
+    lit.view.material = {.kind = MaterialFilter::Kind::anisotropic,
+                         .anisotropy = 4,
+                         .mip_bias = -1,
+                         .gradients = MaterialFilter::Gradients::analytic};
     EXPECT_NE(lit, view);
     EXPECT_EQ(hits_view(lit), view);
 }

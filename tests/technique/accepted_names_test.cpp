@@ -72,6 +72,9 @@ TEST_F(AcceptedNames, CompileBesideEveryShader) {
         View view;
         view.depth_write = DepthWrite::conservative;
         EXPECT_NO_THROW(compile_draw(device(), technique, values, Variant::probed, view));
+        view.material.kind = MaterialFilter::Kind::mip;
+        view.material.gradients = MaterialFilter::Gradients::analytic;
+        EXPECT_NO_THROW(compile_draw(device(), technique, values, Variant::probed, view));
         for (const PassDeclaration& pass : technique.manifest.passes)
             EXPECT_NO_THROW(compile_pass(device(), technique, values, pass, Variant::probed)) << pass.name;
     }

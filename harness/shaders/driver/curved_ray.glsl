@@ -43,15 +43,7 @@ vec3 way_over_base(vec3 direction) {
                 dot(direction, curved_entry.per_normal));
 }
 
-// How the point at distance t of the ray moves from pixel to pixel.
-vec3 pixel_step_x(ViewRay view, float t) {
-    if (scene.parallel_rays != 0) return vec3(scene.window_size.x / float(scene.resolution.x), 0.0, 0.0);
-    return t * dot(view.direction, scene.forward) * (2.0 / float(scene.resolution.x)) * scene.right;
-}
-vec3 pixel_step_y(ViewRay view, float t) {
-    if (scene.parallel_rays != 0) return vec3(0.0, -scene.window_size.y / float(scene.resolution.y), 0.0);
-    return t * dot(view.direction, scene.forward) * (-2.0 / float(scene.resolution.y)) * scene.up;
-}
+#include "pixel_step.glsl"
 
 // Along the ray back into the triangle's plane.
 vec3 slid_onto(vec3 step, vec3 direction, vec3 facet_normal) {

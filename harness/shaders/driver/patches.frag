@@ -6,6 +6,15 @@
 #include "work.glsl"
 
 layout(location = 0) in vec3 surface;  // u, v, h
+
+#ifdef RELIEFBENCH_MATERIAL_MIPS
+// Real geometry has gradients of its own, from before any neighbour is discarded.
+void take_gradients() {
+    material_dx = scene.tiling * dFdx(surface.xy);
+    material_dy = scene.tiling * dFdy(surface.xy);
+}
+#endif
+
 #ifdef RELIEFBENCH_CURVED
 #include "base_mesh.glsl"
 
@@ -13,6 +22,9 @@ layout(location = 1) in vec3 surface_position;
 layout(location = 2) flat in int surface_triangle;
 
 void main() {
+#ifdef RELIEFBENCH_MATERIAL_MIPS
+    take_gradients();
+#endif
     ViewRay view = view_ray(gl_FragCoord.xy);
     // Where textures repeat the base ends all the same, and what hangs over its border is part of it.
     count_pixel(scene.resolution, gl_FragCoord.xy, 0, true);
@@ -23,6 +35,9 @@ void main() {
 #else
 
 void main() {
+#ifdef RELIEFBENCH_MATERIAL_MIPS
+    take_gradients();
+#endif
     ViewRay view = view_ray(gl_FragCoord.xy);
     // Where the relief goes on for ever it is evaluated in the footprint of the patch only.
     if (relief_repeats && !inside_patch(view.entry)) discard;

@@ -2,6 +2,9 @@
 
 #include "grazing.glsl"
 #include "lod_fade.glsl"
+#ifdef RELIEFBENCH_MATERIAL_MIPS
+#include "material_gradients.glsl"
+#endif
 #ifndef RELIEFBENCH_CURVED
 #include "plane_ray.glsl"
 #endif
@@ -39,6 +42,39 @@ bool has_left_base(ReliefRay ray, float s) {
 #else
     return has_left_patch(place, way_of_ray(ray, s)) && has_left_patch(place, way_of_ray(ray, ray.s_end));
 #endif
+}
+#endif
+
+#if defined(RELIEFBENCH_CURVED) && defined(RELIEFBENCH_GRADIENTS_FROM_RESULT)
+// Whether this fragment searches, and whether its answer counts for its neighbours: not that of one beside the triangle, for
+// which some devices read no buffer, and others run all of the shader.
+bool searches = false;
+bool takes_part = false;
+#endif
+
+#ifdef RELIEFBENCH_GRADIENTS_FROM_RESULT
+// The texture coordinates that the search ends with: a miss is where its ray leaves the relief.
+vec2 answer_of(ReliefRay ray, Trace found) {
+    if (found.kind == trace_off_ray) return found.uv;
+    return point_on_ray(ray, found.kind == trace_on_ray ? found.s : end_of_ray(ray));
+}
+#endif
+
+#ifdef RELIEFBENCH_GRADIENTS_ANALYTIC
+// Of an answer at distance `t`; they fade as the relief does.
+void take_gradients_at(vec2 uv, float t, ViewRay view, ReliefRay ray, float relief_left) {
+#ifdef RELIEFBENCH_CURVED
+    vec3 to_eye = way_over_base(-view.direction) * vec3(scene.tiling, scene.tiling, 1.0);
+    mat2 uv_per_length = ray.uv_per_length;
+#else
+    vec3 to_eye = -view.direction * vec3(scene.tiling, scene.tiling, 1.0);
+    mat2 uv_per_length = mat2(scene.tiling);
+#endif
+    vec2 slope = relief_left > 0.0 ? slope_over_footprint(uv, ray.uv_dx, ray.uv_dy) : vec2(0.0);
+    float from_entry = scene.parallel_rays != 0 ? 1.0 : t / view.entry_t;
+    take_gradients_of_slope(slope, length(vec3(slope * uv_per_length, 1.0)), to_eye, from_entry, ray.uv_dx, ray.uv_dy);
+    material_dx = mix(from_entry * ray.uv_dx, material_dx, relief_left);
+    material_dy = mix(from_entry * ray.uv_dy, material_dy, relief_left);
 }
 #endif
 
@@ -86,7 +122,12 @@ void main() {
 #ifdef RELIEFBENCH_PROBED
     count_begin(scene.resolution, gl_FragCoord.xy);
 #endif
+#if defined(RELIEFBENCH_CURVED) && defined(RELIEFBENCH_GRADIENTS_FROM_RESULT)
+    Trace found = miss(0);
+    if (searches) found = trace_faded(ray, fade);
+#else
     Trace found = trace_faded(ray, fade);
+#endif
 #ifdef RELIEFBENCH_PROBED
     // Only a search that could still hit something counts as unconverged. Its ray parameter is that before the fade.
     if (found.kind == trace_on_ray && !found.converged && !relief_repeats)
@@ -99,6 +140,14 @@ void main() {
 #endif
 #endif
     count_pixel(scene.resolution, gl_FragCoord.xy, found.steps, found.converged);
+#ifdef RELIEFBENCH_GRADIENTS_FROM_RESULT
+    // Before any of the quad is discarded.
+#ifdef RELIEFBENCH_CURVED
+    take_gradients_of_answers(answer_of(ray, found), takes_part, ray.uv_dx, ray.uv_dy);
+#else
+    take_gradients_of_answers(answer_of(ray, found), true, ray.uv_dx, ray.uv_dy);
+#endif
+#endif
     if (found.kind == trace_miss) discard;
 
     vec4 hit;
@@ -130,6 +179,12 @@ void main() {
 #endif
 #ifdef TEXTURE_BOUNDS_CLIP
     if (!inside_patch(hit.xy)) discard;
+#endif
+#ifdef RELIEFBENCH_GRADIENTS_BEFORE_SEARCH
+    material_dx = ray.uv_dx;
+    material_dy = ray.uv_dy;
+#elif defined(RELIEFBENCH_GRADIENTS_ANALYTIC)
+    take_gradients_at(scene.tiling * hit.xy, hit.w, view, ray, found.flat_normal ? 0.0 : 1.0 - fade);
 #endif
 
 #ifdef RELIEFBENCH_WRITE_DEPTH
@@ -168,6 +223,12 @@ void main() {
 #ifdef RELIEFBENCH_CURVED
 void main() {
     ViewRay view = view_ray(gl_FragCoord.xy);
+#ifdef RELIEFBENCH_GRADIENTS_FROM_RESULT
+    // All of the quad go on to where answers are compared.
+    searches = enter_base(view, triangle_index);
+    takes_part = searches && depth_in_triangle(uint(triangle_index), view.entry) > -chart_gap;
+    draw_relief(view);
+#else
     // In a branch, not past a discard: a device may run a fragment's neighbours beside the triangle with it, for which no
     // buffer is read, and their searches, of no numbers, would go on until its loops are ended.
     if (enter_base(view, triangle_index)) {
@@ -177,5 +238,6 @@ void main() {
         count_pixel(scene.resolution, gl_FragCoord.xy, 0, true);
         discard;
     }
+#endif
 }
 #endif

@@ -2,6 +2,9 @@
 
 #include "answer_range.glsl"
 #include "scene.glsl"
+#ifdef RELIEFBENCH_MATERIAL_MIPS
+#include "shell_gradients.glsl"
+#endif
 #include "shell_prism.glsl"
 #include "shell_ray.glsl"
 #include "surface.glsl"
@@ -9,6 +12,9 @@
 #include "trace.glsl"
 
 layout(location = 0) flat in int tetrahedron_index;
+#ifdef RELIEFBENCH_GRADIENTS_FROM_RESULT
+layout(location = 1) flat in int opposite_corner;  // to the face that is drawn
+#endif
 
 // What is hidden behind relief that has been found need not be searched: nothing lies before the face that is drawn.
 layout(depth_greater) out float gl_FragDepth;
@@ -21,6 +27,13 @@ const float relative_overlap = 5e-7;
 
 // Beyond any.
 const float no_distance = 1e30;
+
+#ifdef RELIEFBENCH_GRADIENTS_FROM_RESULT
+// Whether this fragment's ray crosses the tetrahedron, and whether its answer counts for its neighbours: not where the ray
+// enters by another face, as beside the one that is drawn some devices read no buffer, and others run all of the shader.
+bool searches = false;
+bool takes_part = false;
+#endif
 
 // Within a tetrahedron, distances from `start`.
 struct Crossed {
@@ -60,7 +73,12 @@ void draw_piece(ViewRay view, vec4 weights, vec4 per_length, float t_start, Cros
 #ifdef RELIEFBENCH_PROBED
     count_begin(scene.resolution, gl_FragCoord.xy);
 #endif
+#ifdef RELIEFBENCH_GRADIENTS_FROM_RESULT
+    Trace found = miss(0);
+    if (searches) found = trace_shell(ray);
+#else
     Trace found = trace_shell(ray);
+#endif
 #ifdef RELIEFBENCH_PROBED
     // An answer beside the ray has no s, which is not a number then.
     uint bits = found.kind == trace_off_ray ? 0x7fc00000u : floatBitsToUint(found.s);
@@ -70,6 +88,16 @@ void draw_piece(ViewRay view, vec4 weights, vec4 per_length, float t_start, Cros
     if (fault != answer_fault_none) count_fault(scene.resolution, gl_FragCoord.xy, fault, bits);
 #endif
     count_pixel(scene.resolution, gl_FragCoord.xy, found.steps, found.converged);
+#ifdef RELIEFBENCH_MATERIAL_MIPS
+    BaseTriangle below = base_triangle(tetrahedron_index / tetrahedra_per_prism);
+    material_dx = base_gradient_x(below, view, t_start + first);
+    material_dy = base_gradient_y(below, view, t_start + first);
+#endif
+#ifdef RELIEFBENCH_GRADIENTS_FROM_RESULT
+    // Before any of the quad is discarded. What misses this tetrahedron's relief may hit the next one's.
+    takes_part = takes_part && found.kind != trace_miss;
+    take_gradients_of_answers(point_on_ray(ray, found.s), takes_part, material_dx, material_dy);
+#endif
     if (found.kind == trace_miss) discard;
 
     float t = t_start + first + found.s * length_inside;
@@ -77,6 +105,12 @@ void draw_piece(ViewRay view, vec4 weights, vec4 per_length, float t_start, Cros
     vec4 clip = scene.clip_from_world * vec4(view.origin + t * view.direction, 1.0);
     gl_FragDepth = max(clip.z / clip.w, gl_FragCoord.z);
     BaseTriangle triangle = base_triangle(tetrahedron_index / tetrahedra_per_prism);
+#ifdef RELIEFBENCH_GRADIENTS_ANALYTIC
+    vec2 slope = vec2(0.0);
+    if (!found.flat_normal)
+        slope = scene.tiling * slope_over_footprint(scene.tiling * hit.xy, material_dx, material_dy);
+    take_gradients_of_relief(triangle, view, slope, hit);
+#endif
     vec3 normal = found.flat_normal ? normalize(linear_normal(triangle, hit.xy))
                                     : displaced_normal(triangle, hit.xy, hit.z, surface_slope(hit.xy));
     write_surface(hit, view.direction, normal, vec3(1.0));
@@ -99,10 +133,17 @@ void main() {
     // The rasteriser may draw what the ray passes by; and a device may run a fragment's neighbours with it, for which no
     // buffer is read: their weights are no numbers, and set neither end.
     bool is_crossed = crossed.first > -no_distance && crossed.first <= crossed.last + 2.0 * overlap;
+#ifdef RELIEFBENCH_GRADIENTS_FROM_RESULT
+    // All of the quad go on to where answers are compared.
+    searches = is_crossed;
+    takes_part = searches && entered_opposite_to(weights, per_length) == opposite_corner;
+    draw_piece(view, weights, per_length, t_start, crossed, overlap, tetrahedron);
+#else
     if (is_crossed) {
         draw_piece(view, weights, per_length, t_start, crossed, overlap, tetrahedron);
     } else {
         count_pixel(scene.resolution, gl_FragCoord.xy, 0, true);
         discard;
     }
+#endif
 }

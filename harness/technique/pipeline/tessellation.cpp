@@ -54,6 +54,8 @@ std::string unsupported_tessellation(const gpu::Device& device, const DrawnView&
         return "self-shadowing searches along the light's ray in the relief; real geometry has no such search (an "
                "engine would give it a shadow map)";
     if (drawn.view.depth_write != DepthWrite::on) return "real geometry has its own depth, and no other";
+    if (drawn.view.material.gradients != MaterialFilter::Gradients::before_search)
+        return "real geometry has no search: its gradients are its own, those of material_gradients=before_search";
     if (device.info().max_tessellation_factor < tessellation_factor)
         return fmt::format("{} cuts sides of patches into at most {} segments; {} are needed", device.info().name,
                            device.info().max_tessellation_factor, tessellation_factor);
