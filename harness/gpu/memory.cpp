@@ -79,9 +79,9 @@ Buffer make_device_buffer(const Device& device, vk::BufferUsageFlags usage, std:
 }
 
 Texture::Texture(const Device& device, vk::Extent2D size, vk::Format texel_format, std::uint32_t level_count,
-                 vk::ImageUsageFlags usage, std::uint32_t slice_count)
+                 vk::ImageUsageFlags usage, std::uint32_t slice_count, vk::SampleCountFlagBits samples)
     : extent(size), slices(slice_count), format(texel_format), levels(level_count) {
-    assert(slices == 0 || levels == 1);
+    assert((slices == 0 && samples == vk::SampleCountFlagBits::e1) || levels == 1);
     const DeviceHandles& handles = device.handles();
     const std::uint32_t depth = std::max(slices, 1u);
     const std::string what =
@@ -93,7 +93,7 @@ Texture::Texture(const Device& device, vk::Extent2D size, vk::Format texel_forma
                                                     .extent = {extent.width, extent.height, depth},
                                                     .mipLevels = levels,
                                                     .arrayLayers = 1,
-                                                    .samples = vk::SampleCountFlagBits::e1,
+                                                    .samples = samples,
                                                     .tiling = vk::ImageTiling::eOptimal,
                                                     .usage = usage,
                                                     .initialLayout = vk::ImageLayout::eUndefined});
@@ -133,6 +133,7 @@ std::uint32_t texel_bytes(vk::Format format) {
         case vk::Format::eR32Sfloat:
         case vk::Format::eD32Sfloat:
         case vk::Format::eR8G8B8A8Unorm:
+        case vk::Format::eR8G8B8A8Srgb:
         case vk::Format::eR16G16Unorm:
             return 4;
         case vk::Format::eR32G32Sfloat:

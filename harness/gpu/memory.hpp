@@ -29,9 +29,11 @@ Buffer make_device_buffer(const Device& device, vk::BufferUsageFlags usage, std:
 
 /// An image with memory of its own, a view of all its levels, and one of each.
 struct Texture {
-    /// `slices`: of a three-dimensional image, which has one level; 0 makes one of two dimensions.
+    /// `slices`: of a three-dimensional image, which has one level; 0 makes one of two dimensions. `samples`: of each
+    /// texel of a target with one level.
     Texture(const Device& device, vk::Extent2D extent, vk::Format format, std::uint32_t levels,
-            vk::ImageUsageFlags usage, std::uint32_t slices = 0);
+            vk::ImageUsageFlags usage, std::uint32_t slices = 0,
+            vk::SampleCountFlagBits samples = vk::SampleCountFlagBits::e1);
 
     vk::Extent2D extent;
     std::uint32_t slices;

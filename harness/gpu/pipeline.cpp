@@ -249,7 +249,10 @@ vk::raii::Pipeline make_graphics(const DeviceHandles& handles, const GraphicsPip
                                                                  .cullMode = options.cull,
                                                                  .frontFace = vk::FrontFace::eCounterClockwise,
                                                                  .lineWidth = 1};
-    const vk::PipelineMultisampleStateCreateInfo multisampling{.rasterizationSamples = vk::SampleCountFlagBits::e1};
+    const vk::PipelineMultisampleStateCreateInfo multisampling{
+        .rasterizationSamples = options.samples,
+        .sampleShadingEnable = options.samples != vk::SampleCountFlagBits::e1,
+        .minSampleShading = 1};
     const vk::PipelineDepthStencilStateCreateInfo depth{
         .depthTestEnable = true, .depthWriteEnable = true, .depthCompareOp = options.depth_compare};
     using Component = vk::ColorComponentFlagBits;
@@ -307,9 +310,10 @@ Pipeline make_graphics_pipeline(const Device& device, const GraphicsPipelineOpti
         std::string key = shared_key(options.stages, options.constants, bindings);
         for (const vk::Format format : options.colour_formats)
             key += fmt::format("colour {};", vk::to_string(format));
-        key += fmt::format("depth {} {};{} cull {} patch {};flags {};", vk::to_string(options.depth_format),
+        key += fmt::format("depth {} {};{} cull {} patch {};samples {};flags {};", vk::to_string(options.depth_format),
                            vk::to_string(options.depth_compare), vk::to_string(options.topology),
-                           vk::to_string(options.cull), options.patch_vertices, vk::to_string(options.flags));
+                           vk::to_string(options.cull), options.patch_vertices, vk::to_string(options.samples),
+                           vk::to_string(options.flags));
         Pipeline result;
         result.shared = device.shared_pipelines().get(key, make);
         result.extent = options.extent;

@@ -71,6 +71,8 @@ struct GraphicsPipelineOptions {
     /// Of a patch list, which has tessellation stages.
     std::uint32_t patch_vertices = 0;
     vk::CompareOp depth_compare = vk::CompareOp::eLessOrEqual;
+    /// Of the targets; with several, each sample is shaded by itself (the feature sampleRateShading).
+    vk::SampleCountFlagBits samples = vk::SampleCountFlagBits::e1;
     vk::PipelineCreateFlags flags = {};
 };
 

@@ -41,8 +41,9 @@ const std::vector<std::string> axes = words(
     "tiling boundary resolution sample_count self_shadow soft_shadow hard_shadow_bias dykhta_bias shadow_min_steps "
     "shadow_max_steps shadow_softening depth_write");
 // Those that techniques of contract 1 could not know.
-const std::vector<std::string> axes_since_contract_2 =
-    words("base curvature base_segments base_fit material_filter anisotropy mip_bias material_gradients");
+const std::vector<std::string> axes_since_contract_2 = words(
+    "base curvature base_segments base_fit material_filter anisotropy mip_bias material_gradients samples_per_pixel "
+    "frames");
 
 const std::vector<std::string> type_stems = words("vec ivec uvec bvec dvec fvec hvec mat dmat");
 

@@ -32,8 +32,16 @@ constexpr std::uint64_t host_filtered_pixel = 16;
 constexpr std::uint64_t host_motion_pixel = 100;
 /// The history and its still picture, those of the next frame, the sums of the latter, and what is computed from them.
 constexpr std::uint64_t host_history_pixel = 120;
-/// Targets and counters of the probed draw, one of them read back, and the timed draw's targets.
-constexpr std::uint64_t device_pixel = 92;
+/// Of a picture that is not the probed draw's own: one draw as it is read back, and the sum of them all.
+constexpr std::uint64_t host_drawn_pixel = 56;
+/// Targets and counters of the probed draw, one of them read back.
+constexpr std::uint64_t device_probed_pixel = 84;
+/// Of the draw that is timed, colour and depth, for each sample; and what the samples are resolved to.
+constexpr std::uint64_t device_timed_sample = 8;
+constexpr std::uint64_t device_resolved_pixel = 4;
+/// The same of a draw for its picture, with what is read back.
+constexpr std::uint64_t device_float_sample = 20;
+constexpr std::uint64_t device_float_pixel = 32;
 
 /// The exact tracer's maximum mip chain, and derivatives for shading.
 constexpr std::uint64_t host_truth_texel = 10;
@@ -93,6 +101,14 @@ std::uint64_t curved_truth_need(const View& view, const BaseMesh& mesh, Resoluti
            texels(map) * host_truth_texel * 2;
 }
 
+/// By pixel: targets of the draws, of which the one that is timed stays.
+std::uint64_t device_pixel(const View& view) {
+    const auto samples = static_cast<std::uint64_t>(view.samples_per_pixel);
+    const std::uint64_t timed = samples * device_timed_sample + (samples > 1 ? device_resolved_pixel : 0);
+    if (!has_picture_of_its_own(view)) return device_probed_pixel + timed;
+    return std::max(device_probed_pixel, samples * device_float_sample + device_float_pixel) + timed;
+}
+
 std::uint64_t truth_need(const Cell& cell, const BaseSurface& base, const InputSizes& sizes,
                          const TruthSettings& truth) {
     if (!is_flat(base)) return curved_truth_need(cell.view.view, curved_base(base), sizes.height_map, truth);
@@ -123,14 +139,15 @@ MemoryNeed cell_need(const Technique& technique, const Cell& cell, const BaseSur
     const std::uint64_t pixels = texels(cell.view.view.resolution);
     const std::uint64_t curved = is_flat(base) ? 0 : host_curved_pixel;
     const std::uint64_t filtered = configuration.truth.samples > 1 ? host_filtered_pixel : 0;
+    const std::uint64_t drawn = has_picture_of_its_own(cell.view.view) ? host_drawn_pixel : 0;
     const bool has_history = configuration.motion && configuration.motion->history_weight;
     const std::uint64_t moving =
         configuration.motion ? host_motion_pixel + curved + (has_history ? host_history_pixel : 0) : 0;
-    const std::uint64_t host = host_pixel + filtered + moving;
+    const std::uint64_t host = host_pixel + filtered + drawn + moving;
     const std::uint64_t triangles = is_flat(base) ? 0 : base_bytes(curved_base(base));
     // What the device has of the triangles is gathered here first.
     return {pixels * host + truth_need(cell, base, sizes, configuration.truth) + triangles,
-            pixels * device_pixel + derived_map_bytes(technique, cell.parameters, sizes.height_map) +
+            pixels * device_pixel(cell.view.view) + derived_map_bytes(technique, cell.parameters, sizes.height_map) +
                 material_mip_bytes(cell.view.view.material, sizes.height_map, sizes.albedo) + triangles};
 }
 

@@ -16,7 +16,31 @@ glm::dvec2 half_extent(const Camera& camera, Resolution resolution) {
     return {vertical * resolution.width / resolution.height, vertical};
 }
 
+/// The digits of `index` mirrored at the point (Halton 1960).
+double radical_inverse(int index, int base) {
+    double inverse = 0;
+    double digit = 1;
+    for (; index > 0; index /= base) {
+        digit /= base;
+        inverse += digit * (index % base);
+    }
+    return inverse;
+}
+
+/// From index 1 on: point 0 would be a corner of the pixel.
+glm::dvec2 halton_point(int frame) {
+    return {radical_inverse(frame + 1, 2), radical_inverse(frame + 1, 3)};
+}
+
 }  // namespace
+
+glm::dvec2 frame_shift(int frame, int frames, Resolution resolution) {
+    assert(frame >= 0 && frame < frames);
+    glm::dvec2 sum{0, 0};
+    for (int i = 0; i < frames; ++i)
+        sum += halton_point(i);
+    return (halton_point(frame) - sum / double(frames)) / glm::dvec2(resolution.width, resolution.height);
+}
 
 std::string to_string(Projection projection) {
     return projection == Projection::perspective ? "perspective" : "parallel";

@@ -53,12 +53,22 @@ struct View {
     SelfShadow self_shadow = {};
     DepthWrite depth_write = DepthWrite::on;
     MaterialFilter material = {};
+    /// Of the picture; a power of two. Each is searched for and shaded by itself; their mean in linear light is the
+    /// pixel.
+    int samples_per_pixel = 1;
+    /// Of which the picture is the mean in linear light: those of a still sequence with a shift each (frame_shift).
+    int frames = 1;
     /// Which frame of a sequence it is, from 0: the camera's shift and what techniques vary by frame change with it.
     /// Empty for a picture by itself, whose shaders know no frames; its camera has no shift.
     std::optional<int> frame = {};
 
     bool operator==(const View&) const = default;
 };
+
+/// Whether its picture is another one than that of one sample through each pixel's centre.
+inline bool has_picture_of_its_own(const View& view) {
+    return view.samples_per_pixel > 1 || view.frames > 1;
+}
 
 /// A ray that enters the relief over a height of at least 1 − this has hit it there: whether it touches a plateau at
 /// h = 1 or passes its edge must not depend on rounding. harness/shaders/contract/relief.glsl has the same.

@@ -6,6 +6,7 @@
 #include "sweep/base_axes.hpp"
 #include "sweep/height_map_value.hpp"
 #include "sweep/material_axes.hpp"
+#include "sweep/picture_axes.hpp"
 #include "sweep/self_shadow_axes.hpp"
 
 #include <fmt/format.h>
@@ -189,6 +190,8 @@ std::vector<ViewAxis> make_view_axes() {
          .also_called = {"depth", "z_write", "zwrite", "early_z"}},
         {"on", "off", "conservative"}, [](auto& key) -> auto& { return key.view.depth_write; })));
     for (ViewAxis& axis : material_axes())
+        axes.push_back(moving_no_hits(std::move(axis)));
+    for (ViewAxis& axis : picture_axes())
         axes.push_back(moving_no_hits(std::move(axis)));
     return axes;
 }

@@ -35,6 +35,7 @@ class Draw {
 public:
     enum class Kind { probed, timed_display, timed_float };
 
+    /// What is timed has the view's samples for each pixel, resolved at the end of each pass; a probed draw has one.
     Draw(const gpu::Device& device, const Technique& technique, Kind kind, const DrawSetup& setup);
 
     /// Brings targets into their layouts and clears the work counters; once per submission, before the first draw.
@@ -44,6 +45,7 @@ public:
 
     /// Row 0 is the top. After the submission has ended.
     std::vector<std::byte> read_target(std::size_t colour_target) const;
+    /// Of a draw with one sample for each pixel.
     std::vector<std::byte> read_depth() const;
     /// Probed only.
     const WorkCounters& work() const { return *work_; }
@@ -53,7 +55,10 @@ private:
     vk::Extent2D extent_;
     const DrawPipeline* draws_by_;
     DrawGeometry geometry_;
+    /// One texel for each pixel.
     std::vector<gpu::Texture> colours_;
+    /// What is drawn into where pixels have several samples, which `colours_` are resolved from; else empty.
+    std::vector<gpu::Texture> sampled_colours_;
     std::vector<vk::ClearColorValue> clears_;
     gpu::Texture depth_;
     std::optional<WorkCounters> work_;

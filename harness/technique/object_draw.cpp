@@ -54,14 +54,16 @@ ObjectOnDevice::ObjectOnDevice(const gpu::Device& device, const SceneObject& obj
       uniforms_(upload(device, object)) {}
 
 gpu::Pipeline ObjectOnDevice::make_pipeline(const std::vector<vk::Format>& colour_formats, vk::Format depth_format,
-                                            vk::Extent2D extent, const gpu::SpecializationValues& constants) const {
+                                            vk::Extent2D extent, vk::SampleCountFlagBits samples,
+                                            const gpu::SpecializationValues& constants) const {
     gpu::GraphicsPipelineOptions options{
         .stages = {compile(*device_, shaders_, preamble_, gpu::ShaderStage::vertex, "object.vert"),
                    compile(*device_, shaders_, preamble_, gpu::ShaderStage::fragment, "object.frag")},
         .constants = constants,
         .colour_formats = colour_formats,
         .depth_format = depth_format,
-        .extent = extent};
+        .extent = extent,
+        .samples = samples};
     options.constants["object_is_box"] = shape_ == SceneObject::Shape::box ? 1 : 0;
     return gpu::make_graphics_pipeline(*device_, options, {scene_, gpu::uniform_buffer("object", uniforms_.buffer)});
 }

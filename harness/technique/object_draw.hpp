@@ -21,10 +21,11 @@ public:
     ObjectOnDevice(const gpu::Device& device, const SceneObject& object, const View& view,
                    std::filesystem::path shaders, const gpu::Binding& scene);
 
-    /// Draws it with three vertices into targets of these formats: its colour with an alpha of `object_alpha`, and its
-    /// depth.
+    /// Draws it with three vertices into targets of these formats and samples: its colour with an alpha of
+    /// `object_alpha`, and its depth.
     gpu::Pipeline make_pipeline(const std::vector<vk::Format>& colour_formats, vk::Format depth_format,
-                                vk::Extent2D extent, const gpu::SpecializationValues& constants) const;
+                                vk::Extent2D extent, vk::SampleCountFlagBits samples,
+                                const gpu::SpecializationValues& constants) const;
 
 private:
     const gpu::Device* device_;

@@ -224,8 +224,13 @@ bool indexes_scene(const gpu::Device& device) {
     return device.info().type == gpu::DeviceType::cpu;
 }
 
+bool divides_by_own_w(const gpu::Device& device, const View& view) {
+    return device.info().type == gpu::DeviceType::cpu && view.samples_per_pixel > 1;
+}
+
 std::string declare_rays(const BaseSurface& base, const View& view) {
     std::string text = view.frame ? "#define RELIEFBENCH_FRAMES 1\n" : "";
+    if (view.samples_per_pixel > 1) text += fmt::format("#define RELIEFBENCH_SAMPLES {}\n", view.samples_per_pixel);
     if (is_flat(base)) return text;
     text += "#define RELIEFBENCH_CURVED 1\n";
     if (!curved_base(base).is_unit_square) text += "#define RELIEFBENCH_CHARTS 1\n";
@@ -238,6 +243,7 @@ std::vector<gpu::CompiledStage> compile_draw(const gpu::Device& device, const Te
     const bool probed = variant == Variant::probed;
     std::string preamble = declare_contract(manifest) + (probed ? probed_definition : "");
     if (indexes_scene(device)) preamble += "#define RELIEFBENCH_INDEXED_SCENE 1\n";
+    if (divides_by_own_w(device, view)) preamble += "#define RELIEFBENCH_OWN_PERSPECTIVE 1\n";
     // By the name that shared shaders of earlier revisions, with which ab compiles a baseline, know it.
     if (manifest.shadow_search == ShadowSearch::own) preamble += "#define RELIEFBENCH_OWN_MARCH 1\n";
     if (view.depth_write != DepthWrite::off) preamble += "#define RELIEFBENCH_WRITE_DEPTH 1\n";

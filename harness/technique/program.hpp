@@ -16,7 +16,12 @@ namespace reliefbench {
 /// that, within the timestamps (3 ms and more a draw), and keeps it until the pipeline is gone (1 MB a submission).
 bool indexes_scene(const gpu::Device& device);
 
-/// What shaders that know the pixels' rays are compiled with: empty over a flat base, for a picture by itself.
+/// Whether shaders interpolate what is over w, and divide by w themselves: on a CPU device, with several samples for
+/// each pixel. lavapipe (Mesa 22.3) divides what it interpolates at a sample by the w of the pixel's centre.
+bool divides_by_own_w(const gpu::Device& device, const View& view);
+
+/// What shaders that know the pixels' rays are compiled with: empty over a flat base, for a picture by itself with one
+/// sample for each pixel.
 std::string declare_rays(const BaseSurface& base, const View& view);
 
 /// The two compilations of a technique's draw, and of its passes.

@@ -10,6 +10,7 @@
 #include "technique/object_draw.hpp"
 #include "technique/pipeline/draw_pipeline.hpp"
 #include "technique/program.hpp"
+#include "technique/resolved_picture.hpp"
 #include "technique/scene_textures.hpp"
 #include "technique/scene_uniforms.hpp"
 
@@ -54,7 +55,7 @@ gpu::Buffer upload_uniforms(const gpu::Device& device, const SceneUniforms& unif
                                    std::as_bytes(std::span(&block, 1)));
 }
 
-/// The picture that is shipped, in which depths decide what is in front.
+/// The picture that is shipped, of one sample for each pixel, in which depths decide what is in front.
 void show_object(Probe& probe, const TimedPicture& picture) {
     probe.front = Image<Front>(picture.colour.size, Front::nothing);
     for (std::size_t i = 0; i < picture.colour.texels.size(); ++i) {
@@ -111,17 +112,23 @@ struct Renderer::State {
           base(scene.textures().bases.get(drawn_base(technique.manifest, view.relief.base))),
           material(filtered_material(device, scene, view.material)),
           object(used_object),
-          uniforms(make_uniforms(view)),
-          setup(make_setup(view, uniforms)) {
+          centres(make_frame(through_centres(view))) {
+        if (has_picture_of_its_own(view)) timed_frame.emplace(make_frame(frame_of(view, 0)));
         // Both now, so that a shader that does not compile is known before anything is drawn.
-        compile_draw(device, technique, parameters, Variant::timed, view);
-        compile_draw(device, technique, parameters, Variant::probed, view);
+        compile_draw(device, technique, parameters, Variant::timed, timed_setup().view);
+        compile_draw(device, technique, parameters, Variant::probed, centres.setup.view);
     }
 
     /// Textures of the material with mips, and how they are read.
     struct FilteredMaterial {
         std::shared_ptr<const MaterialMips> mips;
         vk::raii::Sampler sampler;
+    };
+
+    /// What a draw reads: its scene's values and the setup that names them.
+    struct Frame {
+        gpu::Buffer uniforms;
+        DrawSetup setup;
     };
 
     const gpu::Device& device;
@@ -136,25 +143,30 @@ struct Renderer::State {
     /// Empty where it is read at level 0.
     std::optional<FilteredMaterial> material;
     std::optional<SceneObject> object;
-    gpu::Buffer uniforms;
-    DrawSetup setup;
+    /// One sample through each pixel's centre.
+    Frame centres;
+    /// What is timed, where that is another one.
+    std::optional<Frame> timed_frame;
     bool prepared = false;
+
+    const DrawSetup& timed_setup() const { return timed_frame ? timed_frame->setup : centres.setup; }
 
     /// What is timed; made when first asked for, and kept.
     const Draw& display() {
-        if (!display_draw) display_draw.emplace(device, technique, Draw::Kind::timed_display, setup);
+        if (!display_draw) display_draw.emplace(device, technique, Draw::Kind::timed_display, timed_setup());
         return *display_draw;
     }
 
     static std::optional<FilteredMaterial> filtered_material(const gpu::Device& device, const SceneOnDevice& scene,
                                                              const MaterialFilter& filter);
     DrawGeometry geometry_of(const View& from) const;
-    gpu::Buffer make_uniforms(const View& from) const;
-    /// Of a draw that reads its scene's values from `values`.
-    DrawSetup make_setup(const View& from, const gpu::Buffer& values) const;
+    Frame make_frame(const View& from) const;
     /// One draw, submitted and finished.
     void draw_once(const Draw& draw) const;
     Probe probe(const DrawSetup& from) const;
+    TimedPicture draw_float(const DrawSetup& from) const;
+    /// Of all samples and frames; each is drawn, added and freed before the next.
+    Image<std::array<float, 3>> draw_mean(const View& from) const;
 
     std::optional<Draw> display_draw;
     /// The one asked for last. Below the draw that it records, so that it is destroyed first.
@@ -173,12 +185,11 @@ DrawGeometry Renderer::State::geometry_of(const View& from) const {
         .geometry(device, {technique.manifest, parameters, from, scene.textures().size});
 }
 
-gpu::Buffer Renderer::State::make_uniforms(const View& from) const {
-    return upload_uniforms(device, make_scene_uniforms(from, lighting, geometry_of(from).grid));
-}
-
-DrawSetup Renderer::State::make_setup(const View& from, const gpu::Buffer& values) const {
-    DrawSetup result;
+Renderer::State::Frame Renderer::State::make_frame(const View& from) const {
+    Frame frame{.uniforms = upload_uniforms(device, make_scene_uniforms(from, lighting, geometry_of(from).grid)),
+                .setup = {}};
+    const vk::raii::Buffer& values = frame.uniforms.buffer;
+    DrawSetup& result = frame.setup;
     result.view = from;
     result.parameters = parameters;
     result.constants = parameter_constants(technique.manifest, parameters);
@@ -188,7 +199,7 @@ DrawSetup Renderer::State::make_setup(const View& from, const gpu::Buffer& value
     for (const gpu::Binding& texture :
          material ? material->mips->bindings(material->sampler) : scene.textures().material_bindings())
         result.bindings.push_back(texture);
-    result.bindings.push_back(gpu::uniform_buffer(scene_block_name, values.buffer));
+    result.bindings.push_back(gpu::uniform_buffer(scene_block_name, values));
     for (const gpu::Binding& map : maps.draw_bindings())
         result.bindings.push_back(map);
     if (base) {
@@ -196,12 +207,11 @@ DrawSetup Renderer::State::make_setup(const View& from, const gpu::Buffer& value
             result.bindings.push_back(binding);
     }
     if (object)
-        result.object.emplace(device, *object, from, technique.shaders,
-                              gpu::uniform_buffer(scene_block_name, values.buffer));
+        result.object.emplace(device, *object, from, technique.shaders, gpu::uniform_buffer(scene_block_name, values));
     result.geometry = geometry_of(from);
     for (int i = 0; i < 3; ++i)
         result.background[static_cast<std::size_t>(i)] = static_cast<float>(lighting.background[i]);
-    return result;
+    return frame;
 }
 
 void Renderer::State::draw_once(const Draw& draw) const {
@@ -258,6 +268,25 @@ Probe Renderer::State::probe(const DrawSetup& from) const {
     return probe;
 }
 
+TimedPicture Renderer::State::draw_float(const DrawSetup& from) const {
+    const Resolution size = view.resolution;
+    const Draw draw(device, technique, Draw::Kind::timed_float, from);
+    draw_once(draw);
+    TimedPicture picture;
+    picture.colour = to_image<std::array<float, 4>>(size, draw.read_target(0));
+    if (from.view.samples_per_pixel == 1) picture.depth = to_image<float>(size, draw.read_depth());
+    return picture;
+}
+
+Image<std::array<float, 3>> Renderer::State::draw_mean(const View& from) const {
+    PictureMean picture(from.resolution);
+    for (int i = 0; i < from.frames; ++i) {
+        const Frame frame = make_frame(frame_of(from, i));
+        picture.add(draw_float(frame.setup));
+    }
+    return picture.mean();
+}
+
 Renderer::Renderer(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
                    const SceneOnDevice& scene, const View& view, const Lighting& lighting,
                    const std::optional<SceneObject>& object)
@@ -281,8 +310,10 @@ std::string Renderer::maps_key() const {
 }
 
 Probe Renderer::probe() {
-    Probe probe = state_->probe(state_->setup);
-    if (state_->object) show_object(probe, draw_timed(ColourTarget::linear_float));
+    const DrawSetup& centres = state_->centres.setup;
+    Probe probe = state_->probe(centres);
+    if (state_->object) show_object(probe, state_->draw_float(centres));
+    if (has_picture_of_its_own(state_->view)) probe.colour = state_->draw_mean(state_->view);
     return probe;
 }
 
@@ -290,20 +321,18 @@ Probe Renderer::probe_from(const Camera& camera, std::optional<int> frame) {
     View view = state_->view;
     view.camera = camera;
     view.frame = frame;
-    const gpu::Buffer uniforms = state_->make_uniforms(view);
-    return state_->probe(state_->make_setup(view, uniforms));
+    view.frames = 1;
+    const State::Frame centres = state_->make_frame(through_centres(view));
+    Probe probe = state_->probe(centres.setup);
+    if (frame && (state_->object || has_picture_of_its_own(view))) probe.colour = state_->draw_mean(view);
+    return probe;
 }
 
 TimedPicture Renderer::draw_timed(ColourTarget target) {
+    const DrawSetup& setup = state_->timed_setup();
+    if (target == ColourTarget::linear_float) return state_->draw_float(setup);
     const Resolution size = state_->view.resolution;
     TimedPicture picture;
-    if (target == ColourTarget::linear_float) {
-        const Draw draw(state_->device, state_->technique, Draw::Kind::timed_float, state_->setup);
-        state_->draw_once(draw);
-        picture.colour = to_image<std::array<float, 4>>(size, draw.read_target(0));
-        picture.depth = to_image<float>(size, draw.read_depth());
-        return picture;
-    }
     constexpr float largest = 255;
     const Draw& display = state_->display();
     state_->draw_once(display);
@@ -313,7 +342,7 @@ TimedPicture Renderer::draw_timed(ColourTarget target) {
         for (std::size_t channel = 0; channel < 4; ++channel)
             picture.colour.texels[i][channel] = static_cast<float>(bytes.texels[i][channel]) / largest;
     }
-    picture.depth = to_image<float>(size, display.read_depth());
+    if (setup.view.samples_per_pixel == 1) picture.depth = to_image<float>(size, display.read_depth());
     return picture;
 }
 
@@ -321,7 +350,7 @@ PipelineStatistics Renderer::pipeline_statistics() {
     if (!state_->device.info().has_feature("pipelineStatisticsQuery")) return {};
     assert(state_->prepared);
     const Draw& display = state_->display();
-    const gpu::PipelineStatisticsQuery query(state_->device, state_->setup.geometry.patch_vertices > 0);
+    const gpu::PipelineStatisticsQuery query(state_->device, state_->timed_setup().geometry.patch_vertices > 0);
     gpu::submit_and_wait(state_->device, "count pipeline statistics", [&](const vk::raii::CommandBuffer& commands) {
         display.begin(commands);
         query.start(commands);
@@ -332,7 +361,7 @@ PipelineStatistics Renderer::pipeline_statistics() {
 }
 
 ExecutableStatistics Renderer::executable_statistics() {
-    return read_executable_statistics(state_->device, state_->technique, state_->setup);
+    return read_executable_statistics(state_->device, state_->technique, state_->timed_setup());
 }
 
 std::vector<double> Renderer::time_draw(int samples, int repeats) {

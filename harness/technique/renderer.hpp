@@ -43,10 +43,11 @@ private:
     std::unique_ptr<Textures> textures_;
 };
 
-/// One draw of the probed compilation.
+/// One draw of the probed compilation, of one sample through each pixel's centre, and the picture.
 struct Probe {
     HitImage hits;
-    /// Linear RGB, with the object where it is in front; the background where nothing was drawn.
+    /// The picture that is measured: linear RGB, with the object where it is in front; the background where nothing was
+    /// drawn. Of several samples and frames (View) their mean, nothing clamped before.
     Image<std::array<float, 3>> colour;
     /// Pixels that ran a fragment of the technique (with misses, which are not in `hits`).
     Image<std::uint8_t> covered;
@@ -71,6 +72,7 @@ struct Probe {
 /// One draw of the timed compilation, for checking it against the probed one.
 struct TimedPicture {
     Image<std::array<float, 4>> colour;
+    /// Empty with several samples for each pixel.
     Image<float> depth;
 };
 
@@ -137,9 +139,10 @@ public:
     /// same height map, whatever they draw.
     std::string maps_key() const;
     Probe probe();
-    /// The same from another camera, with the maps prepared once; of a sequence's frame where one is given
-    /// (View::frame).
+    /// The same from another camera, with the maps prepared once, and without the object; of a sequence's frame where
+    /// one is given (View::frame), whose picture then has all samples, and the object.
     Probe probe_from(const Camera& camera, std::optional<int> frame = std::nullopt);
+    /// What is timed: of several frames the first.
     TimedPicture draw_timed(ColourTarget target);
     PipelineStatistics pipeline_statistics();
     ExecutableStatistics executable_statistics();

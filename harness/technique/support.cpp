@@ -79,6 +79,25 @@ std::string unsupported_map(const gpu::Device& device, const MapDeclaration& map
     return too_large_for_one_image(device, "the map '" + map.name + "'", map_bytes(map, parameters, height_map));
 }
 
+std::string unsupported_samples(const gpu::Device& device, int samples) {
+    constexpr const char* feature = "sampleRateShading";
+    if (samples == 1) return {};
+    const gpu::DeviceInfo& info = device.info();
+    if (!info.has_feature(feature))
+        return fmt::format("{} lacks the feature {}, with which each of a pixel's samples is searched for", info.name,
+                           feature);
+    const vk::PhysicalDeviceLimits limits = device.handles().physical_device.getProperties().limits;
+    const vk::SampleCountFlags counts = limits.framebufferColorSampleCounts & limits.framebufferDepthSampleCounts;
+    const auto has = [&](int count) { return bool(counts & static_cast<vk::SampleCountFlagBits>(count)); };
+    if (has(samples)) return {};
+    std::string available;
+    constexpr int largest = 64;
+    for (int count = 1; count <= largest; count *= 2) {
+        if (has(count)) available += (available.empty() ? "" : ", ") + std::to_string(count);
+    }
+    return fmt::format("{} has no targets of {} samples per pixel; of these it has {}", info.name, samples, available);
+}
+
 }  // namespace
 
 std::string unsupported_reason(const gpu::Device& device, const Technique& technique, const ParameterValues& parameters,
@@ -98,6 +117,8 @@ std::string unsupported_reason(const gpu::Device& device, const Technique& techn
     }
     const std::string unfiltered = unsupported_material(device, view.material);
     if (!unfiltered.empty()) return unfiltered;
+    const std::string unsampled = unsupported_samples(device, view.samples_per_pixel);
+    if (!unsampled.empty()) return unsampled;
     const std::string undrawn = pipeline.unsupported(device, {technique.manifest, parameters, view, height_map});
     if (!undrawn.empty()) return undrawn;
     const int largest = std::max({view.resolution.width, view.resolution.height, height_map.width, height_map.height});

@@ -105,7 +105,7 @@ TEST(Expansion, IdsNameEveryAxisThatIsNotAtItsDefault) {
         R"("resolution":"640x480","self_shadow":"off","soft_shadow":null,)"
         R"("hard_shadow_bias":null,"dykhta_bias":null,"shadow_min_steps":null,"shadow_max_steps":null,)"
         R"("shadow_softening":null,"depth_write":"on","material_filter":"lod0","anisotropy":null,)"
-        R"("mip_bias":null,"material_gradients":null})");
+        R"("mip_bias":null,"material_gradients":null,"samples_per_pixel":1,"frames":1})");
     EXPECT_EQ(parameters_to_json(cells[0].parameters).dump(), R"({"bias":0.25,"factor":16})");
     EXPECT_EQ(cell_id(fake_techniques()[3], cells[0].parameters, cells[0].view), cells[0].id);
 }

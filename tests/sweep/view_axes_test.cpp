@@ -7,7 +7,7 @@
 namespace reliefbench {
 namespace {
 
-TEST(ViewAxes, WhatMovesNoHitIsShadowsTheDepthThatIsWrittenAndHowTheMaterialIsRead) {
+TEST(ViewAxes, WhatMovesNoHitIsShadowsTheDepthThatIsWrittenAndWhatMakesThePicture) {
     ViewKey view;
     view.view.camera.view_angle = 60;
     ViewKey lit = view;
@@ -23,6 +23,8 @@ TEST(ViewAxes, WhatMovesNoHitIsShadowsTheDepthThatIsWrittenAndHowTheMaterialIsRe
                          .anisotropy = 4,
                          .mip_bias = -1,
                          .gradients = MaterialFilter::Gradients::analytic};
+    lit.view.samples_per_pixel = 4;
+    lit.view.frames = 16;
     EXPECT_NE(lit, view);
     EXPECT_EQ(hits_view(lit), view);
 }
@@ -70,6 +72,11 @@ TEST(ViewAxes, TakeWhatTheyAreListedToTake) {
     EXPECT_FALSE(takes("view_angle", 90) || takes("view_angle", -0.1) || takes("view_angle", "30"));
     EXPECT_TRUE(takes("height_scale", 10) && takes("height_scale", 1e-6));
     EXPECT_FALSE(takes("height_scale", 0) || takes("height_scale", 10.1));
+    EXPECT_EQ(find_view_axis("samples_per_pixel")->description.values, "1, 2, 4 or 8");
+    EXPECT_TRUE(takes("samples_per_pixel", 1) && takes("samples_per_pixel", 2) && takes("samples_per_pixel", 8));
+    EXPECT_FALSE(takes("samples_per_pixel", 0) || takes("samples_per_pixel", 3) || takes("samples_per_pixel", 16));
+    EXPECT_TRUE(takes("frames", 1) && takes("frames", 16));
+    EXPECT_FALSE(takes("frames", 0) || takes("frames", 17) || takes("frames", 1.5));
 }
 
 /// Else a word would be answered with another name than the one that it is.

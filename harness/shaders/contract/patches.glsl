@@ -92,6 +92,10 @@ layout(location = 3) in int control_triangle[];
 layout(location = 1) out vec3 surface_position;
 layout(location = 2) flat out int surface_triangle;
 #endif
+// Where the harness says so (divides_by_own_w in harness/technique/program.hpp): what is interpolated is over w.
+#ifdef RELIEFBENCH_OWN_PERSPECTIVE
+layout(location = 3) out float one_over_w;
+#endif
 
 // Patch coordinates of this vertex on the even grid of the patches. Two patches get the same ones, bit for bit, for a
 // vertex on the side between them: products and sums as written, terms of the side in either order, all others zero.
@@ -132,6 +136,13 @@ void emit_surface(vec2 patch_uv, float h) {
     surface_triangle = control_triangle[0];
 #endif
     gl_Position = scene.clip_from_world * vec4(surface_point(patch_uv, h), 1.0);
+#ifdef RELIEFBENCH_OWN_PERSPECTIVE
+    one_over_w = 1.0 / gl_Position.w;
+    surface *= one_over_w;
+#ifdef RELIEFBENCH_CURVED
+    surface_position *= one_over_w;
+#endif
+#endif
 #ifdef RELIEFBENCH_PROBED
     uint bits;
     uint fault = answer_fault_of_point(patch_uv, h, bits);

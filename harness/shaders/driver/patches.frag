@@ -5,7 +5,20 @@
 #include "taps.glsl"
 #include "work.glsl"
 
-layout(location = 0) in vec3 surface;  // u, v, h
+// With several samples for each pixel they are those of each.
+#ifdef RELIEFBENCH_SAMPLES
+#define at_sample sample
+#else
+#define at_sample
+#endif
+
+#ifdef RELIEFBENCH_OWN_PERSPECTIVE
+layout(location = 0) noperspective sample in vec3 surface_over_w;
+layout(location = 3) noperspective sample in float one_over_w;
+#define surface (surface_over_w / one_over_w)
+#else
+layout(location = 0) at_sample in vec3 surface;  // u, v, h
+#endif
 
 #ifdef RELIEFBENCH_MATERIAL_MIPS
 // Real geometry has gradients of its own, from before any neighbour is discarded.
@@ -18,7 +31,12 @@ void take_gradients() {
 #ifdef RELIEFBENCH_CURVED
 #include "base_mesh.glsl"
 
-layout(location = 1) in vec3 surface_position;
+#ifdef RELIEFBENCH_OWN_PERSPECTIVE
+layout(location = 1) noperspective sample in vec3 position_over_w;
+#define surface_position (position_over_w / one_over_w)
+#else
+layout(location = 1) at_sample in vec3 surface_position;
+#endif
 layout(location = 2) flat in int surface_triangle;
 
 void main() {
