@@ -3,7 +3,6 @@
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "gpu/device.hpp"
-#include "scene/frame_jitter.hpp"
 #include "technique/cut_loops.hpp"
 
 #include <cmath>
@@ -68,7 +67,7 @@ void FollowedHistory::follow(const gpu::Device& device, Renderer& renderer, cons
 }
 
 Camera FollowedHistory::jittered(Camera camera, int frame) const {
-    camera.shift = frame_jitter(frame % still_frames) / glm::dvec2(view_.resolution.width, view_.resolution.height);
+    camera.shift = frame_shift(frame % still_frames, still_frames, view_.resolution);
     return camera;
 }
 
