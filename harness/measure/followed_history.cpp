@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "gpu/device.hpp"
+#include "scene/picture_mean.hpp"
 #include "technique/cut_loops.hpp"
 
 #include <cmath>

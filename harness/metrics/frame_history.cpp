@@ -132,24 +132,4 @@ Image<std::array<float, 3>> next_history(const HistoryColours& history, const Hi
     return next;
 }
 
-void PictureMean::add(const HistoryColours& picture) {
-    if (pictures_ == 0) sums_ = Image<std::array<double, 3>>(picture.size);
-    assert(sums_.size == picture.size);
-    for (std::size_t pixel = 0; pixel < picture.texels.size(); ++pixel) {
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            sums_.texels[pixel][channel] += static_cast<double>(picture.texels[pixel][channel]);
-    }
-    ++pictures_;
-}
-
-Image<std::array<float, 3>> PictureMean::mean() const {
-    assert(pictures_ > 0);
-    HistoryColours mean(sums_.size);
-    for (std::size_t pixel = 0; pixel < mean.texels.size(); ++pixel) {
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            mean.texels[pixel][channel] = static_cast<float>(sums_.texels[pixel][channel] / pictures_);
-    }
-    return mean;
-}
-
 }  // namespace reliefbench

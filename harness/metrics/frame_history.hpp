@@ -63,16 +63,4 @@ struct HistoryFrame {
 Image<std::array<float, 3>> next_history(const Image<std::array<float, 3>>& history, const HistoryFrame& frame,
                                          const HistorySettings& settings);
 
-/// The mean of pictures of one size, of which none has to be kept.
-class PictureMean {
-public:
-    void add(const Image<std::array<float, 3>>& picture);
-    /// Of at least one.
-    Image<std::array<float, 3>> mean() const;
-
-private:
-    Image<std::array<double, 3>> sums_;
-    int pictures_ = 0;
-};
-
 }  // namespace reliefbench

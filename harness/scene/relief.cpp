@@ -6,6 +6,20 @@ std::string to_string(Boundary boundary) {
     return boundary == Boundary::clip ? "clip" : "repeat";
 }
 
+View through_centres(View view) {
+    view.samples_per_pixel = 1;
+    view.frames = 1;
+    return view;
+}
+
+View frame_of(View view, int frame) {
+    if (view.frames == 1) return view;
+    view.camera.shift += frame_shift(frame, view.frames, view.resolution);
+    view.frame = frame;
+    view.frames = 1;
+    return view;
+}
+
 glm::dvec3 surface_point(const Relief& relief, double u, double v, double h) {
     return base_point(flat_base(relief.base), {u, v}, (h - 1) * relief.height_scale);
 }

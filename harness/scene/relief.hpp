@@ -70,6 +70,12 @@ inline bool has_picture_of_its_own(const View& view) {
     return view.samples_per_pixel > 1 || view.frames > 1;
 }
 
+/// One sample through each pixel's centre, of a picture by itself or of one of its frames.
+View through_centres(View view);
+
+/// Of a view with several frames that one; else the view itself.
+View frame_of(View view, int frame);
+
 /// A ray that enters the relief over a height of at least 1 − this has hit it there: whether it touches a plateau at
 /// h = 1 or passes its edge must not depend on rounding. harness/shaders/contract/relief.glsl has the same.
 constexpr double entry_tolerance = 0x1p-20;

@@ -4,13 +4,13 @@
 #include "gpu/commands.hpp"
 #include "gpu/recording.hpp"
 #include "gpu/timers.hpp"
+#include "scene/picture_mean.hpp"
 #include "technique/base_on_device.hpp"
 #include "technique/derived_maps.hpp"
 #include "technique/draw.hpp"
 #include "technique/object_draw.hpp"
 #include "technique/pipeline/draw_pipeline.hpp"
 #include "technique/program.hpp"
-#include "technique/resolved_picture.hpp"
 #include "technique/scene_textures.hpp"
 #include "technique/scene_uniforms.hpp"
 
@@ -279,10 +279,10 @@ TimedPicture Renderer::State::draw_float(const DrawSetup& from) const {
 }
 
 Image<std::array<float, 3>> Renderer::State::draw_mean(const View& from) const {
-    PictureMean picture(from.resolution);
+    PictureMean picture;
     for (int i = 0; i < from.frames; ++i) {
         const Frame frame = make_frame(frame_of(from, i));
-        picture.add(draw_float(frame.setup));
+        picture.add(draw_float(frame.setup).colour);
     }
     return picture.mean();
 }

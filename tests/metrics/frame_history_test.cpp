@@ -1,5 +1,7 @@
 #include "metrics/frame_history.hpp"
 
+#include "scene/picture_mean.hpp"
+
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
