@@ -85,7 +85,7 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& device, int index) {
     info.max_tessellation_factor = static_cast<int>(properties.limits.maxTessellationGenerationLevel);
     info.max_storage_buffer_bytes = properties.limits.maxStorageBufferRange;
     info.max_anisotropy = static_cast<double>(properties.limits.maxSamplerAnisotropy);
-    info.max_mip_bias = static_cast<double>(properties.limits.maxSamplerLodBias);
+    info.max_lod_bias = static_cast<double>(properties.limits.maxSamplerLodBias);
 
     info.unusable_reason = find_unusable_reason(device, properties);
     if (!info.unusable_reason.empty()) return info;

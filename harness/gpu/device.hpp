@@ -35,7 +35,7 @@ struct DeviceInfo {
     std::uint64_t max_storage_buffer_bytes = 0;
     /// Of samplers: of the feature samplerAnisotropy, and to either side.
     double max_anisotropy = 1;
-    double max_mip_bias = 0;
+    double max_lod_bias = 0;
     /// Of feature_names(), those that the device has; all of them are enabled.
     std::vector<std::string> features;
     /// Empty, or why reliefbench cannot run on it ("Vulkan 1.2 only, 1.3 is needed").

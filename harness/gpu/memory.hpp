@@ -72,7 +72,7 @@ struct SamplerOptions {
     vk::SamplerAddressMode address = vk::SamplerAddressMode::eRepeat;
     /// Across the slices of a three-dimensional image.
     vk::SamplerAddressMode address_across_slices = vk::SamplerAddressMode::eClampToEdge;
-    /// Added to the level, up to DeviceInfo::max_mip_bias to either side.
+    /// Added to the level, up to DeviceInfo::max_lod_bias to either side.
     float mip_bias = 0;
     /// Up to DeviceInfo::max_anisotropy; without a value none, which devices without samplerAnisotropy have, too.
     std::optional<float> anisotropy = {};

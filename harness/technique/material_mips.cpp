@@ -160,9 +160,9 @@ std::string unsupported_material(const gpu::Device& device, const MaterialFilter
                 "maximum they are given",
                 info.name);
     }
-    if (std::abs(filter.mip_bias) > info.max_mip_bias)
+    if (std::abs(filter.mip_bias) > info.max_lod_bias)
         return fmt::format("the mip bias would be {:g}; {} has up to {:g} to either side", filter.mip_bias, info.name,
-                           info.max_mip_bias);
+                           info.max_lod_bias);
     for (const vk::Format format : material_formats) {
         const auto properties = device.handles().physical_device.getFormatProperties(format);
         const bool writable = info.has_feature("shaderStorageImageExtendedFormats") &&

@@ -415,8 +415,8 @@ TEST_F(MaterialFiltering, WhatADeviceCannotDoIsToldWithItsLimit) {
         view.material = material;
         return unsupported_reason(device(), technique, technique.manifest.defaults(), view, {64, 64});
     };
-    EXPECT_EQ(reason({.kind = Kind::mip, .mip_bias = info.max_mip_bias}), "");
-    EXPECT_THAT(reason({.kind = Kind::mip, .mip_bias = -info.max_mip_bias - 1}), HasSubstr("to either side"));
+    EXPECT_EQ(reason({.kind = Kind::mip, .mip_bias = info.max_lod_bias}), "");
+    EXPECT_THAT(reason({.kind = Kind::mip, .mip_bias = -info.max_lod_bias - 1}), HasSubstr("to either side"));
     if (!info.has_feature("samplerAnisotropy")) return;
     EXPECT_THAT(reason({.kind = Kind::anisotropic, .anisotropy = static_cast<int>(info.max_anisotropy) + 1}),
                 HasSubstr("has up to"));
