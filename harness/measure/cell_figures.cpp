@@ -8,6 +8,7 @@
 #include "metrics/outline_errors.hpp"
 #include "metrics/raster_mismatch.hpp"
 #include "metrics/shadow_errors.hpp"
+#include "metrics/truth_noise.hpp"
 #include "metrics/wrong_surface.hpp"
 
 #include <iterator>
@@ -37,6 +38,7 @@ FigureValueList errors_of(const DrawnCell& drawn, const Lighting& lighting, bool
     }
     add(figures_of(
         compare_images(probe.colour, probe.hits, truth.colour, truth.hits, {truth.footprint, truth.background})));
+    if (drawn.truth_noise) add(figures_of(*drawn.truth_noise));
     return all;
 }
 

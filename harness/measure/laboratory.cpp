@@ -67,8 +67,12 @@ PreparedCell Laboratory::make_ready_again(const Cell& cell) {
 }
 
 DrawnCell Laboratory::beside_truth(const Cell& cell, const Probe& probe) {
-    return {probe, inputs_.truth(cell.view), inputs_.map(cell.view).map, inputs_.view(cell.view).relief,
-            shape_kind(manifest_of(cell).shape.kind).draws_base};
+    return {probe,
+            inputs_.truth(cell.view),
+            inputs_.map(cell.view).map,
+            inputs_.view(cell.view).relief,
+            shape_kind(manifest_of(cell).shape.kind).draws_base,
+            inputs_.noise(cell.view)};
 }
 
 /// Compiles and prepares, or skips.
@@ -159,7 +163,7 @@ void Laboratory::measure(const Cell& cell, const LaboratoryCallbacks& callbacks,
 
 /// Work and errors.
 void Laboratory::compare(const Cell& cell, const LaboratoryCallbacks& callbacks, PreparedCell& prepared) {
-    const auto begin = [&](const char* stage) {
+    const auto begin = [&](const std::string& stage) {
         if (callbacks.on_stage) callbacks.on_stage(stage);
     };
     const View& view = cell.view.view;
@@ -167,7 +171,10 @@ void Laboratory::compare(const Cell& cell, const LaboratoryCallbacks& callbacks,
     CellResult& result = prepared.result;
     const bool self_shadow = view.self_shadow.mode != SelfShadow::Mode::off;
     if (const auto work = summarize_work(probe, self_shadow)) result.figures.add(figures_of(*work));
-    if (!inputs_.has_truth(cell.view)) begin("tracing the truth");
+    const int samples = configuration_.truth.samples;
+    if (!inputs_.has_truth(cell.view)) {
+        begin(samples == 1 ? "tracing the truth" : fmt::format("tracing the truth, {} samples a pixel", samples));
+    }
     inputs_.truth(cell.view);
     begin("comparing with the truth");
     result.figures.add(errors_of(beside_truth(cell, probe), configuration_.lighting, self_shadow));

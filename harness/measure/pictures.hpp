@@ -1,6 +1,7 @@
 #pragma once
 
 #include "metrics/compared_hits.hpp"
+#include "metrics/truth_noise.hpp"
 #include "picture/picture.hpp"
 #include "picture/pixel_map.hpp"
 #include "reference/truth.hpp"
@@ -8,6 +9,8 @@
 #include "scene/image_file.hpp"
 #include "scene/relief.hpp"
 #include "technique/renderer.hpp"
+
+#include <optional>
 
 namespace reliefbench {
 
@@ -19,6 +22,8 @@ struct DrawnCell {
     Relief relief;
     /// Of the technique's shape (ShapeKind::draws_base).
     bool draws_base = false;
+    /// Of a truth of several samples.
+    std::optional<TruthNoise> truth_noise = {};
 };
 
 /// Valid as long as what the cell refers to.

@@ -159,9 +159,18 @@ const Truth& SharedInputs::truth(const ViewKey& view) {
     if (!has_truth(view)) {
         const ViewKey key = truth_key(view);
         truth_.reset();
-        truth_.emplace(KeyedTruth{key, trace(key, this->view(key), settings_)});
+        truth_.emplace(KeyedTruth{key, trace(key, this->view(key), settings_), {}});
     }
     return truth_->truth;
+}
+
+const std::optional<TruthNoise>& SharedInputs::noise(const ViewKey& view) {
+    const Truth& truth = this->truth(view);
+    if (!truth_->noise && truth.standard_error) {
+        truth_->noise =
+            truth_noise(*truth.standard_error, *truth.half_picture, truth.colour, {truth.footprint, truth.background});
+    }
+    return truth_->noise;
 }
 
 Truth SharedInputs::truth_from(const ViewKey& key, const Camera& camera) {

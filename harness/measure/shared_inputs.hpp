@@ -1,6 +1,7 @@
 #pragma once
 
 #include "measure/truth_cache.hpp"
+#include "metrics/truth_noise.hpp"
 #include "reference/truth.hpp"
 #include "scene/albedo.hpp"
 #include "scene/height_map.hpp"
@@ -69,6 +70,8 @@ public:
     bool has_truth(const ViewKey& view) const;
     /// Valid until the truth of another view is asked for.
     const Truth& truth(const ViewKey& view);
+    /// That of truth(view), which may be traced for it; empty with one sample a pixel.
+    const std::optional<TruthNoise>& noise(const ViewKey& view);
     /// The same view's from another camera, which is not kept, without shadows and with a picture of one sample: what
     /// is in motion are hits.
     Truth truth_from(const ViewKey& key, const Camera& camera);
@@ -91,6 +94,7 @@ private:
     struct KeyedTruth {
         ViewKey key;
         Truth truth;
+        std::optional<TruthNoise> noise;
     };
 
     Truth trace(const ViewKey& key, const View& view, const TruthSettings& settings);

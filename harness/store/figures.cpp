@@ -9,6 +9,7 @@
 #include "metrics/outline_errors.hpp"
 #include "metrics/raster_mismatch.hpp"
 #include "metrics/shadow_errors.hpp"
+#include "metrics/truth_noise.hpp"
 #include "metrics/work.hpp"
 #include "metrics/wrong_surface.hpp"
 #include "store/cell_times.hpp"
@@ -28,7 +29,8 @@ std::vector<FigureDeclaration> all_declarations() {
     std::vector<FigureDeclaration> all;
     for (std::vector<FigureDeclaration> family :
          {time_figures(), work_figures(), hit_error_figures(), outline_error_figures(), raster_mismatch_figures(),
-          wrong_surface_figures(), shadow_error_figures(), image_error_figures(), motion_figures(), history_figures()})
+          wrong_surface_figures(), shadow_error_figures(), image_error_figures(), truth_noise_figures(),
+          motion_figures(), history_figures()})
         std::move(family.begin(), family.end(), std::back_inserter(all));
     return all;
 }
