@@ -85,7 +85,8 @@ ExitCode advise_from_run(const AdviseOptions& options) {
     std::vector<StoredRun> runs = read_stored_runs({options.run});
     keep_cells(runs, options.cells);
     const std::vector<CellResult>& cells = runs.front().run.cells;
-    print_results(format_advice(advise(cells, request_of(options, runs.front())), format, table_columns()));
+    print_results(
+        format_advice(advise(cells, request_of(options, runs.front()), runs.front().run.run), format, table_columns()));
     return ExitCode::done;
 }
 

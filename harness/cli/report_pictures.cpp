@@ -63,9 +63,9 @@ PagePicture read_picture(const std::filesystem::path& path, int& step) {
 }
 
 /// Cells on the Pareto front of their view, then the others.
-std::vector<std::size_t> order_of_interest(const std::vector<CellResult>& cells) {
+std::vector<std::size_t> order_of_interest(const std::vector<CellResult>& cells, const Json& record) {
     std::set<const CellResult*> on_front;
-    const QualityCostTable table = quality_cost_table(cells);
+    const QualityCostTable table = quality_cost_table(cells, record);
     for (const QualityCostView& view : table.views) {
         for (const QualityCostRow& row : view.rows) {
             if (row.mark == '*') on_front.insert(row.cell);
@@ -96,7 +96,7 @@ void put_main_map_first(std::vector<std::string>& maps) {
 
 std::vector<CellFiles> files_by_interest(const StoredRun& run, const std::set<std::string>& names) {
     std::vector<CellFiles> files;
-    for (const std::size_t cell : order_of_interest(run.run.cells)) {
+    for (const std::size_t cell : order_of_interest(run.run.cells, run.run.run)) {
         CellFiles of_cell{cell, image_path(run.name, run.run.cells[cell].cell, ""), {}};
         for (const std::string& kind : kinds_of(of_cell.stem.filename().string(), names)) {
             if (kind.empty()) {

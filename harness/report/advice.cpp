@@ -2,6 +2,7 @@
 
 #include "compare/deciding_figures.hpp"
 #include "core/error.hpp"
+#include "report/cautions.hpp"
 #include "report/quality_cost.hpp"
 #include "store/chosen_figures.hpp"
 
@@ -315,8 +316,13 @@ const FigureDeclaration& ranking_figure(const std::vector<CellResult>& cells) {
     return known_figure(path_of(ranking_flip(cells)));
 }
 
-Advice advise(const std::vector<CellResult>& cells, const AdviceRequest& request) {
-    Advice advice{.request = request, .figures = {}, .flip = ranking_flip(cells), .views = {}};
+Advice advise(const std::vector<CellResult>& cells, const AdviceRequest& request, const Json& record) {
+    Advice advice{.request = request,
+                  .figures = {},
+                  .flip = ranking_flip(cells),
+                  .truth_samples = truth_samples(record),
+                  .caution = caution_of_truth(cells, record),
+                  .views = {}};
     advice.figures = figures_shown(request, advice.flip);
     const auto require = [&](const FigureDeclaration& figure) {
         if (std::ranges::none_of(cells,

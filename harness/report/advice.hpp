@@ -70,6 +70,10 @@ struct Advice {
     /// Shown of each setting: the ranking one first, the limited ones, UV error and FLIP.
     std::vector<const FigureDeclaration*> figures;
     RankingFlip flip = RankingFlip::footprint;
+    /// A pixel of the pictures that FLIP is against.
+    int truth_samples = 1;
+    /// caution_of_truth
+    std::string caution;
     std::vector<ViewAdvice> views;
 };
 
@@ -79,7 +83,7 @@ const FigureDeclaration& ranking_figure(const std::vector<CellResult>& cells);
 /// The limit on the draw's time; null where there is none.
 const AdviceLimit* budget_of(const AdviceRequest& request);
 
-/// Of the measured cells. A figure of the request that none of them has is an Error.
-Advice advise(const std::vector<CellResult>& cells, const AdviceRequest& request);
+/// Of the measured cells; `record` is run.json's. A figure of the request that none of them has is an Error.
+Advice advise(const std::vector<CellResult>& cells, const AdviceRequest& request, const Json& record = Json());
 
 }  // namespace reliefbench

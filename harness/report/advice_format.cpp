@@ -190,6 +190,8 @@ std::string format_table(const Advice& advice, std::size_t columns) {
     }
     text += indented(advice_legend(), 0, columns);
     if (advice.flip != RankingFlip::footprint) text += indented(caveat_of(advice.flip), 0, columns);
+    if (advice.truth_samples > 1) text += indented(truth_words(advice.truth_samples), 0, columns);
+    if (!advice.caution.empty()) text += indented("caution: " + advice.caution, 0, columns);
     return text;
 }
 
@@ -251,6 +253,8 @@ std::string format_json(const Advice& advice) {
             {{"figure", limit.figure->path}, {"better", to_string(limit.figure->better)}, {"value", limit.value}});
     }
     json["note"] = advice.flip == RankingFlip::footprint ? Json(nullptr) : Json(caveat_of(advice.flip));
+    json["truth_samples"] = advice.truth_samples;
+    json["caution"] = advice.caution.empty() ? Json(nullptr) : Json(advice.caution);
     json["views"] = Json::array();
     for (const ViewAdvice& view : advice.views) {
         json["views"].push_back(to_json(advice, view));

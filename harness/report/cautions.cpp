@@ -1,6 +1,8 @@
 #include "report/cautions.hpp"
 
 #include "core/counted.hpp"
+#include "core/json_lookup.hpp"
+#include "core/suggest.hpp"
 #include "report/quality_cost.hpp"
 #include "report/ranking.hpp"
 #include "report/text_layout.hpp"
@@ -67,14 +69,45 @@ std::string caution_of_axes(const std::vector<CellResult>& cells) {
            "refinements come out too small; add views off the axes (-a azimuth=-67,-45)";
 }
 
+/// Of `group`, which is "axes" of the view or "parameters" of the technique, the value of a cell that is not at its
+/// default; null else, and where the cell has none.
+Json set_value(const CellResult& cell, const std::string& group, const std::string& name, const Json& record) {
+    const bool is_axis = group == "axes";
+    const Json& values = is_axis ? cell.axes : cell.parameters;
+    const auto found = values.find(name);
+    if (found == values.end()) return nullptr;
+    const Json default_value = is_axis
+                                   ? value_at(record, {"defaults", "axes", name.c_str()})
+                                   : value_at(record, {"defaults", "parameters", cell.technique.c_str(), name.c_str()});
+    return *found == default_value ? Json(nullptr) : *found;
+}
+
 }  // namespace
 
-std::vector<std::string> cautions(const std::vector<CellResult>& cells) {
+std::vector<std::string> cautions(const std::vector<CellResult>& cells, const Json& record) {
     std::vector<std::string> all;
-    for (std::string text : {caution_of_ties(cells), caution_of_axes(cells)}) {
+    for (std::string text : {caution_of_ties(cells), caution_of_axes(cells), caution_of_truth(cells, record)}) {
         if (!text.empty()) all.push_back(std::move(text));
     }
     return all;
+}
+
+std::string caution_of_truth(const std::vector<CellResult>& cells, const Json& record) {
+    if (truth_samples(record) > 1) return "";
+    static const std::vector<std::pair<std::string, std::string>> filters = {
+        {"axes", "material_filter"}, {"axes", "samples_per_pixel"}, {"axes", "frames"}, {"parameters", "start_offset"}};
+    std::vector<std::string> set;
+    for (const auto& [group, name] : filters) {
+        if (std::ranges::any_of(cells, [&](const CellResult& cell) {
+                return value_of(chosen_figures::flip, cell) && !set_value(cell, group, name, record).is_null();
+            }))
+            set.push_back(name);
+    }
+    if (set.empty()) return "";
+    return fmt::format(
+        "pictures are compared with a truth of one sample a pixel, which counts as errors what {} {} for; "
+        "\"truth\": {{\"samples\": 64}} in the configuration compares with what a player should see",
+        join(set), set.size() == 1 ? "is" : "are");
 }
 
 }  // namespace reliefbench

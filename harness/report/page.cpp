@@ -57,7 +57,7 @@ Json run_to_json(const PageRun& run) {
     json["record"] = run.stored.run.run;
     json["record"].erase("figures");  // the page has one list for all runs
     json["summary"] = run.summary ? *run.summary : Json(nullptr);
-    json["cautions"] = cautions(run.stored.run.cells);
+    json["cautions"] = cautions(run.stored.run.cells, run.stored.run.run);
     json["cells"] = cells_to_columns(run.stored.run.cells);
     json["samples"] = samples_to_columns(run.samples, run.stored.run.cells);
     json["pictures"] = pictures_to_json(run.pictures);

@@ -24,24 +24,20 @@ const FigureDeclaration& front_cost() {
     static const FigureDeclaration& figure = known_figure(chosen_figures::cost);
     return figure;
 }
-const FigureDeclaration& front_quality() {
-    static const FigureDeclaration& figure = known_figure(chosen_figures::quality);
-    return figure;
-}
 
 double sorting_ms(const CellResult& cell) {
     return value_of(front_cost(), cell).value_or(std::numeric_limits<double>::infinity());
 }
 
 /// Whether the cell takes part in the front.
-bool is_ranked(const CellResult& cell) {
-    return hits_within_limit(cell) && value_of(front_quality(), cell) && value_of(front_cost(), cell);
+bool is_ranked(const CellResult& cell, const FigureDeclaration& quality) {
+    return hits_within_limit(cell) && value_of(quality, cell) && value_of(front_cost(), cell);
 }
 
 /// Both are ranked.
-bool dominates(const CellResult& other, const CellResult& cell) {
+bool dominates(const CellResult& other, const CellResult& cell, const FigureDeclaration& quality) {
     bool better = false;
-    for (const FigureDeclaration* figure : {&front_cost(), &front_quality()}) {
+    for (const FigureDeclaration* figure : {&front_cost(), &quality}) {
         const double theirs = *value_of(*figure, other);
         const double its_own = *value_of(*figure, cell);
         if (is_better(its_own, theirs, figure->better)) return false;
@@ -50,19 +46,19 @@ bool dominates(const CellResult& other, const CellResult& cell) {
     return better;
 }
 
-char mark_of(const QualityCostRow& row, const std::vector<QualityCostRow>& rows) {
+char mark_of(const QualityCostRow& row, const std::vector<QualityCostRow>& rows, const FigureDeclaration& quality) {
     const CellResult& cell = *row.cell;
     if (wrong_hits(cell) && !hits_within_limit(cell)) return '!';
-    if (!is_ranked(cell)) return ' ';
+    if (!is_ranked(cell, quality)) return ' ';
     const bool dominated = std::any_of(rows.begin(), rows.end(), [&](const QualityCostRow& other) {
-        return other.variant == row.variant && is_ranked(*other.cell) && dominates(*other.cell, cell);
+        return other.variant == row.variant && is_ranked(*other.cell, quality) && dominates(*other.cell, cell, quality);
     });
     return dominated ? ' ' : '*';
 }
 
 /// Of both marks.
-std::vector<std::string> mark_legend() {
-    return {fmt::format("* nothing in the view is both faster and better ({})", column_title(front_quality())),
+std::vector<std::string> mark_legend(const FigureDeclaration& quality) {
+    return {fmt::format("* nothing in the view is both faster and better ({})", column_title(quality)),
             "! missed + false hits above 0.5 %: its errors do not count"};
 }
 
@@ -103,7 +99,7 @@ std::vector<QualityCostColumn> columns_of(RankingFlip flip, const std::vector<Ce
 }
 
 /// What short names and units leave unsaid; those that say the same stand together ("missed, false: % of footprint").
-std::vector<std::string> legend_of(RankingFlip flip) {
+std::vector<std::string> legend_of(RankingFlip flip, int truth_samples) {
     struct Entry {
         std::vector<std::string> names;
         std::string meaning;
@@ -115,6 +111,8 @@ std::vector<std::string> legend_of(RankingFlip flip) {
         std::string meaning = !figure.legend.empty() ? figure.legend : unit.substr(unit.empty() ? 0 : 1);
         if (meaning.empty()) continue;
         if (&figure == &front_cost()) meaning += " ± MAD";
+        if (truth_samples > 1 && column.figure == path_of(flip))
+            meaning += fmt::format(", against a truth of {} samples a pixel", truth_samples);
         const std::string name = figure.short_label.substr(0, figure.short_label.find(' '));
         if (entries.empty() || entries.back().meaning != meaning) entries.push_back({{}, meaning});
         std::vector<std::string>& names = entries.back().names;
@@ -169,13 +167,16 @@ std::pair<std::string, std::string> split_cell_id(const std::string& id) {
     return {id.substr(0, at), id.substr(at + bar.size())};
 }
 
-QualityCostTable quality_cost_table(const std::vector<CellResult>& cells) {
+QualityCostTable quality_cost_table(const std::vector<CellResult>& cells, const Json& record) {
     const RankingFlip flip = ranking_flip(cells);
+    const FigureDeclaration& quality = front_quality(cells, record);
+    const int samples = truth_samples(record);
     QualityCostTable table{.columns = columns_of(flip, cells),
                            .views = {},
                            .flip = flip,
-                           .mark_legend = mark_legend(),
-                           .legend = legend_of(flip)};
+                           .truth_samples = samples,
+                           .mark_legend = mark_legend(quality),
+                           .legend = legend_of(flip, samples)};
     const std::vector<ViewVariant> variants = view_variants(cells);
     for (std::size_t at = 0; at < cells.size(); ++at) {
         const CellResult& cell = cells[at];
@@ -190,7 +191,7 @@ QualityCostTable quality_cost_table(const std::vector<CellResult>& cells) {
     for (QualityCostView& view : table.views) {
         sort_rows(view.rows);
         for (QualityCostRow& row : view.rows) {
-            row.mark = mark_of(row, view.rows);
+            row.mark = mark_of(row, view.rows, quality);
         }
     }
     return table;

@@ -32,8 +32,8 @@ struct QualityCostRow {
     /// What of the cell's view moves no hit, where cells of the table differ in that ("self_shadow=hard"). Rows are
     /// ranked among those of their variant.
     std::string variant;
-    /// '*' on the Pareto front of time and 99th percentile of the UV error; '!' kept off it because missed and false
-    /// hits exceed 0.5 % of the footprint; else ' '.
+    /// '*' on the Pareto front of time and error (front_quality); '!' kept off it because missed and false hits exceed
+    /// 0.5 % of the footprint; else ' '.
     char mark = ' ';
     /// One for each column.
     std::vector<QualityCostFigure> figures;
@@ -50,6 +50,7 @@ struct QualityCostTable {
     std::vector<QualityCostView> views;
     /// Of the column of FLIP.
     RankingFlip flip = RankingFlip::footprint;
+    int truth_samples = 1;
     /// What the marks say, a line each.
     std::vector<std::string> mark_legend;
     /// What the titles of all columns say, "uv: texels", whether or not a cell has the figure.
@@ -61,7 +62,8 @@ struct QualityCostTable {
 /// per pixel, and the mean change of the UV error in motion. The measured cells by view, in the order of the cells;
 /// within a view by ascending time, then by id; the variants of one setting stand together at the place of its fastest,
 /// in the order of the cells, so that what an axis costs and changes is seen at a glance. Refers to the cells.
-QualityCostTable quality_cost_table(const std::vector<CellResult>& cells);
+/// `record`: run.json's.
+QualityCostTable quality_cost_table(const std::vector<CellResult>& cells, const Json& record = Json());
 
 /// Cells that failed or were skipped for one reason (MergedReason), in the order of their first. Refers to them.
 struct ReasonGroup {

@@ -51,7 +51,7 @@ std::string format_unmeasured(const Run& run, CellStatus status, std::string_vie
 
 std::string format_quality_cost_markdown(const Run& run) {
     std::string text;
-    const QualityCostTable table = quality_cost_table(run.cells);
+    const QualityCostTable table = quality_cost_table(run.cells, run.run);
     for (const QualityCostView& view : table.views) {
         text += format_view(view, table.columns);
     }
@@ -59,7 +59,7 @@ std::string format_quality_cost_markdown(const Run& run) {
         text += fmt::format("{}. {}.\n\n", markdown_text(join(table.mark_legend, "; ")),
                             markdown_text(join(table.legend, "; ")));
         if (table.flip != RankingFlip::footprint) text += fmt::format("{}\n\n", caveat_of(table.flip));
-        for (const std::string& caution : cautions(run.cells))
+        for (const std::string& caution : cautions(run.cells, run.run))
             text += fmt::format("**Caution:** {}\n\n", markdown_text(caution));
     }
     return text + format_unmeasured(run, CellStatus::failed, "failed") +

@@ -1,6 +1,10 @@
 #include "report/ranking.hpp"
 
+#include "core/counted.hpp"
+#include "core/json_lookup.hpp"
 #include "store/chosen_figures.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -20,6 +24,23 @@ bool hits_within_limit(const CellResult& cell) {
 const PassTiming* draw_timing(const CellResult& cell) {
     const auto draw = cell.time.find(draw_pass);
     return draw == cell.time.end() ? nullptr : &draw->second;
+}
+
+int truth_samples(const Json& record) {
+    const Json samples = value_at(record, {"configuration", "truth", "samples"});
+    return samples.is_number_integer() ? samples.get<int>() : 1;
+}
+
+std::string truth_words(int samples) {
+    return fmt::format("FLIP is against a truth of {} a pixel.", counted(static_cast<std::size_t>(samples), "sample"));
+}
+
+const FigureDeclaration& front_quality(const std::vector<CellResult>& cells, const Json& record) {
+    const FigureDeclaration& flip = known_figure(chosen_figures::flip);
+    const bool is_filtered = truth_samples(record) > 1 && std::ranges::any_of(cells, [&](const CellResult& cell) {
+                                 return value_of(flip, cell).has_value();
+                             });
+    return is_filtered ? flip : known_figure(chosen_figures::quality);
 }
 
 RankingFlip ranking_flip(const std::vector<CellResult>& cells) {

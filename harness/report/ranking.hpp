@@ -3,6 +3,7 @@
 #include "store/cell_result.hpp"
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,17 @@ bool hits_within_limit(const CellResult& cell);
 
 /// Of the draw; null where the cell was not timed.
 const PassTiming* draw_timing(const CellResult& cell);
+
+/// With how many samples for each pixel the truth's picture was made that a run's pictures are compared with; `record`
+/// is its run.json, in which runs of versions that knew one only say nothing.
+int truth_samples(const Json& record);
+
+/// "FLIP is against a truth of 64 samples a pixel."
+std::string truth_words(int samples);
+
+/// What the Pareto front weighs against the cost: FLIP over the footprint where the truth is filtered as a player sees
+/// it; with one sample, when it counts what filters do to a picture as errors, the UV error.
+const FigureDeclaration& front_quality(const std::vector<CellResult>& cells, const Json& record);
 
 /// Which FLIP ranks cells that are shown together.
 enum class RankingFlip {

@@ -48,7 +48,7 @@ RunFormat parse_run_format(const std::string& name) {
 std::string format_run(const Run& run, RunFormat format, const TableStyle& style) {
     switch (format) {
         case RunFormat::table:
-            return format_table(run.cells, style) + share_note(run, [&style](const std::string& note) {
+            return format_table(run.cells, style, run.run) + share_note(run, [&style](const std::string& note) {
                        return indented("note: " + note, 0, style.columns);
                    });
         case RunFormat::markdown:

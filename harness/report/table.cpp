@@ -193,8 +193,8 @@ std::string format_reasons(const std::vector<CellResult>& cells, CellStatus stat
 
 }  // namespace
 
-std::string format_table(const std::vector<CellResult>& cells, const TableStyle& style) {
-    const QualityCostTable table = quality_cost_table(cells);
+std::string format_table(const std::vector<CellResult>& cells, const TableStyle& style, const Json& record) {
+    const QualityCostTable table = quality_cost_table(cells, record);
     const Layout layout(table, style);
     std::string text;
     for (const QualityCostView& view : table.views) {
@@ -212,7 +212,7 @@ std::string format_table(const std::vector<CellResult>& cells, const TableStyle&
         text += join(table.mark_legend, "\n") + '\n' + in_lines(table.legend, style.columns);
         if (table.flip != RankingFlip::footprint) text += indented(caveat_of(table.flip), 0, style.columns);
         if (style.colour) text += fmt::format(colour_legend, cyan, plain, yellow, plain);
-        for (const std::string& caution : cautions(cells))
+        for (const std::string& caution : cautions(cells, record))
             text += indented("caution: " + caution, 0, style.columns);
     }
     const std::string reasons = format_reasons(cells, CellStatus::failed, "failed", style.columns) +

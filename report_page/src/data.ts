@@ -186,6 +186,16 @@ export function unpackPage(packed: PackedPageData): PageData {
   return { ...packed, comparison: { ...comparison, result } };
 }
 
+/** A value deep in a record; null where it is not there. */
+export function deep(record: Json, ...path: string[]): Json {
+  let value: Json = record;
+  for (const key of path) {
+    if (value === null || typeof value !== "object" || Array.isArray(value)) return null;
+    value = Object.hasOwn(value, key) ? (value[key] ?? null) : null;
+  }
+  return value;
+}
+
 export function valueText(value: Json): string {
   if (value === null) return "–";
   return typeof value === "string" ? value : JSON.stringify(value);

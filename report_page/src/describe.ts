@@ -2,7 +2,7 @@
 
 import type { App } from "./app.ts";
 import { type Cells, reasonOf, settingOf, statusOf, techniqueOf, viewLabel, viewOf } from "./data.ts";
-import { usualCost, usualError } from "./defaults.ts";
+import { usualCost } from "./defaults.ts";
 import { h } from "./dom.ts";
 import {
   costMetrics,
@@ -16,6 +16,7 @@ import {
   metricText,
 } from "./metrics.ts";
 import { markElement } from "./palette.ts";
+import { usualErrorsOf } from "./truth.ts";
 
 /** Technique with its mark, and its parameters. */
 export function settingElement(app: App, setting: string, technique: string): HTMLElement {
@@ -34,7 +35,7 @@ export function shownMetrics(app: App): { cost: Metric | null; error: Metric | n
   const { cells } = app.run();
   return {
     cost: metricById(costMetrics(app.data.figures, cells), app.state.cost, ...usualCost),
-    error: metricById(errorMetrics(app.data.figures, cells), app.state.error, ...usualError),
+    error: metricById(errorMetrics(app.data.figures, cells), app.state.error, ...usualErrorsOf(app.run())),
   };
 }
 

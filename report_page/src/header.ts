@@ -1,18 +1,9 @@
 import type { App } from "./app.ts";
-import { type Json, type RunData, statusOf, valueText } from "./data.ts";
+import { deep, type Json, type RunData, statusOf, valueText } from "./data.ts";
 import { warning } from "./describe.ts";
 import { h } from "./dom.ts";
 import { counted } from "./numbers.ts";
-
-/** A value deep in a record; null where it is not there. */
-export function deep(record: Json, ...path: string[]): Json {
-  let value: Json = record;
-  for (const key of path) {
-    if (value === null || typeof value !== "object" || Array.isArray(value)) return null;
-    value = Object.hasOwn(value, key) ? (value[key] ?? null) : null;
-  }
-  return value;
-}
+import { truthSamples } from "./truth.ts";
 
 function timeText(time: Json): string {
   return typeof time === "string" ? time.replace("T", " ").replace(/:\d\dZ$/, " UTC") : "";
@@ -65,6 +56,7 @@ export function headerElement(app: App, onTheme: () => void, onHelp: () => void)
       h("span", {}, device),
       h("span", {}, timeText(deep(record, "environment", "time"))),
       h("span", {}, `${counted(counts["ok"] ?? 0, "cell")} measured`),
+      truthSamples(run) > 1 ? h("span", {}, `truth of ${truthSamples(run)} samples a pixel`) : null,
       statusButton(app, "failed", counts["failed"] ?? 0),
       statusButton(app, "skipped", counts["skipped"] ?? 0),
     ),

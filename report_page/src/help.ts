@@ -5,7 +5,7 @@ const keys: [string, string][] = [
   ["j  k", "pin the next, the previous cell"],
   ["Space", "Pictures: flip between truth and technique"],
   ["← → ↑ ↓", "Pictures: move the magnifier by a pixel (with Shift: ten)"],
-  ["m", "Pictures: side by side, slider, flip"],
+  ["m", "Pictures: side by side, slider, flip, variants"],
   ["/", "search the cells"],
   ["x", "show everything again"],
   ["r", "the next run"],

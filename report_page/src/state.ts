@@ -4,7 +4,8 @@ export const viewNames = ["cost", "advice", "axes", "pictures", "timing", "chang
 export type ViewName = (typeof viewNames)[number];
 
 export type PointsMode = "cells" | "mean" | "worst";
-export type PictureMode = "side" | "slider" | "flip";
+export const pictureModes = ["side", "slider", "flip", "variants"] as const;
+export type PictureMode = (typeof pictureModes)[number];
 
 export interface State {
   view: ViewName;
@@ -99,7 +100,7 @@ export function stateFromFragment(text: string): State {
   const state: State = { ...defaultState, filters: {}, limits: {}, techniques: [], columns: [] };
   state.view = oneOf(fragment.get("view"), viewNames, defaultState.view);
   state.points = oneOf(fragment.get("points"), ["cells", "mean", "worst"], defaultState.points);
-  state.mode = oneOf(fragment.get("mode"), ["side", "slider", "flip"], defaultState.mode);
+  state.mode = oneOf(fragment.get("mode"), pictureModes, defaultState.mode);
   const run = Number(fragment.get("run") ?? 0);
   state.run = Number.isInteger(run) && run >= 0 ? run : 0;
   for (const key of textKeys) state[key] = fragment.get(key) ?? defaultState[key];

@@ -11,6 +11,16 @@ const hostile = `<img src=x onerror="document.title='broken'"> </script><script>
 
 const shownCount = async () => (await page.textContent(".shown")).match(/^[\d,]+/)[0];
 
+const filteredCell = (filter) => {
+  const cell = measured({ technique: "pom", axes: { heightmap: "rock", material_filter: filter }, ms: 1, uv: 1 });
+  return { ...cell, image: { ...cell.image, footprint: { ...cell.image } } };
+};
+const filteredPicture = (at) => ({
+  technique: (x) => [x * 4, 50 * at, 7],
+  truth: (x) => [x * 4, 0, 9],
+  uv_error: () => [0, 0, 3],
+});
+
 testsOfPage(() => {
   const pictures = {
     [pom]: {
@@ -51,12 +61,17 @@ testsOfPage(() => {
     measured({ technique: "pom", ms: 1, uv: 0.167 }),
     measured({ technique: "qdm", ms: 3, uv: 0.0455 }),
   ]);
+  write("filtered", ["lod0", "mip", "anisotropic"].map(filteredCell), {
+    truth: { kind: "exact", samples: 64 },
+    pictures: Object.fromEntries(["lod0", "mip", "anisotropic"].map((filter, at) => [filteredCell(filter).cell, filteredPicture(at)])),
+  });
   write("large", largeRun(10_000), { rounds: 3 });
   report("small", "small");
   report("changes", "small", "slower");
   report("troubled", "troubled");
   report("empty", "empty");
   report("shadows", "shadows");
+  report("filtered", "filtered");
   report("even", "even");
   report("near", "near");
   report("large", "large");
@@ -265,6 +280,28 @@ test("pictures of a pinned cell: side by side, flip, slider, and the values of a
   await page.keyboard.press("j");
   await page.waitForSelector(".empty");
   assert.match(await page.textContent(".empty"), /no pictures of this cell/);
+});
+
+test("cells that differ in how the picture is made stand beside their truth, and what it is made of is said", async () => {
+  await open("filtered", "view=pictures&mode=variants");
+  await page.waitForSelector("[data-picture='variant 2']");
+  const captions = await texts(".pane figcaption");
+  assert.equal(captions.length, 4);
+  assert.equal(captions[0], "Ground truth");
+  for (const [at, filter] of ["lod0", "mip", "anisotropic"].entries())
+    assert.match(captions[at + 1], new RegExp(`^material filter ${filter}: FLIP, footprint 0\\.\\d+$`));
+  const box = await page.locator("[data-picture='variant 1']").boundingBox();
+  await page.mouse.move(box.x + (box.width * 10.5) / 64, box.y + (box.height * 20.5) / 64);
+  assert.deepEqual(await texts(".pixel-value"), ["40  0  9", "40  0  7", "40  50  7", "40  100  7"]);
+  assert.match(await page.textContent(".facts"), /truth of 64 samples a pixel/);
+  await open("filtered");
+  assert.equal(await page.inputValue(".field select >> nth=0"), "image.footprint.flip");
+  assert.match(await page.textContent(".note"), /a truth of 64 samples a pixel/);
+  await open("filtered", "view=advice");
+  assert.match(await page.textContent(".view-advice"), /a truth of 64 samples a pixel/);
+  await open("small", `view=pictures&mode=variants&pin=${encodeURIComponent(pom)}`);
+  await page.waitForSelector("[data-picture='variant 0']");
+  assert.match(await page.textContent(".view-pictures"), /No other cell with pictures differs/);
 });
 
 test("timing of a pinned cell: passes, a chart of its rounds, memory", async () => {

@@ -4,8 +4,8 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { deflateSync } from "node:zlib";
 
-const record = (name, device) => ({
-  configuration: { name, truth: { kind: "exact" }, images: false, axes: { view_angle: [0, 60] } },
+const record = (name, device, truth) => ({
+  configuration: { name, truth, images: false, axes: { view_angle: [0, 60] } },
   environment: {
     tool_version: "0.1.0",
     git_revision: "abc",
@@ -142,11 +142,11 @@ export function unmeasured({ technique, axes = {}, status, reason }) {
 export function writeRun(
   folder,
   cells,
-  { name = "test", device = "test device", rounds = 9, samples = 2, pictures = {} } = {},
+  { name = "test", device = "test device", rounds = 9, samples = 2, pictures = {}, truth = { kind: "exact" } } = {},
 ) {
   mkdirSync(folder, { recursive: true });
   const lines = (values) => values.map((value) => `${JSON.stringify(value)}\n`).join("");
-  writeFileSync(join(folder, "run.json"), JSON.stringify(record(name, device)));
+  writeFileSync(join(folder, "run.json"), JSON.stringify(record(name, device, truth)));
   writeFileSync(join(folder, "cells.jsonl"), lines(cells));
   const visits = [];
   for (const { cell, time } of cells) {

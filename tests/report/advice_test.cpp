@@ -222,6 +222,25 @@ TEST(Advice, JsonHasTheWholeAnswer) {
     EXPECT_EQ(view.at("next_better").at(0).at("setting"), "qdm");
 }
 
+TEST(Advice, SaysWhatTheTruthOfItsPicturesIs) {
+    const std::vector<CellResult> cells = {measured("pom", {})};
+    const AdviceRequest request{{flip(1)}, find_figure("image.footprint.flip")};
+    Json record = Json::parse(R"({"configuration": {"truth": {"kind": "exact", "samples": 64}}})");
+    const Advice filtered = advise(cells, request, record);
+    EXPECT_THAT(format_advice(filtered, AdviceFormat::table, 100),
+                HasSubstr("\nFLIP is against a truth of 64 samples a pixel.\n"));
+    EXPECT_EQ(Json::parse(format_advice(filtered, AdviceFormat::json, 100)).at("truth_samples"), 64);
+    const std::string plain = format_advice(advise(cells, request), AdviceFormat::table, 100);
+    EXPECT_THAT(plain, Not(HasSubstr("a pixel")));
+
+    CellResult mipped = measured("pom", {});
+    mipped.axes["material_filter"] = "mip";
+    const Advice misled = advise({mipped}, request, Json::object());
+    EXPECT_THAT(format_advice(misled, AdviceFormat::table, 100), HasSubstr("\ncaution: pictures are compared with"));
+    EXPECT_THAT(Json::parse(format_advice(misled, AdviceFormat::json, 100)).at("caution").get<std::string>(),
+                HasSubstr("material_filter"));
+}
+
 TEST(Advice, UnmeasuredCellsGiveNone) {
     CellResult failed;
     failed.cell = "a | v";

@@ -38,6 +38,31 @@ TEST(Cautions, ManyTiesAreNamedWithTheViewThatHasMost) {
                 ElementsAre(AllOf(HasSubstr("ties"), HasSubstr("view_angle=60"), HasSubstr("12 %"))));
 }
 
+TEST(Cautions, FiltersBesideAnUnfilteredTruthAreNamed) {
+    Json record = Json::parse(R"({"configuration": {"truth": {"kind": "exact"}},
+        "defaults": {"axes": {"material_filter": "lod0", "frames": 1, "samples_per_pixel": 1},
+                     "parameters": {"pom": {"start_offset": "none"}}}})");
+    CellResult cell = cell_of("perspective", 60, -90);
+    cell.technique = "pom";
+    set_figure(cell, "image.footprint.flip", 0.1);
+    cell.axes.update({{"material_filter", "lod0"}, {"frames", 1}, {"samples_per_pixel", 1}});
+    cell.parameters = {{"start_offset", "none"}};
+    EXPECT_THAT(cautions({cell}, record), IsEmpty());
+    CellResult filtered = cell;
+    filtered.axes["material_filter"] = "mip";
+    EXPECT_THAT(cautions({cell, filtered}, record),
+                ElementsAre(AllOf(HasSubstr("a truth of one sample a pixel"), HasSubstr("material_filter is for"))));
+    filtered.axes["frames"] = 16;
+    filtered.parameters["start_offset"] = "blue_noise";
+    EXPECT_THAT(cautions({filtered}, record),
+                ElementsAre(HasSubstr("what material_filter, frames, start_offset are for")));
+    record["configuration"]["truth"]["samples"] = 64;
+    EXPECT_THAT(cautions({cell, filtered}, record), IsEmpty());
+    record["configuration"]["truth"]["samples"] = 1;
+    remove_figures(filtered, "image");
+    EXPECT_THAT(cautions({filtered}, record), IsEmpty()) << "without pictures nothing is compared";
+}
+
 TEST(Cautions, ARunThatKnewNoTiesHasNone) {
     CellResult cell = cell_of("perspective", 60, -90);
     remove_figures(cell, "error.ties");

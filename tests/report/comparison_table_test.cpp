@@ -69,7 +69,7 @@ not compared, 2 cells: only in the base
 threshold 2.0 %; change: of the time, new against base; 95 %: its interval; visible: the smallest change that this evidence would have shown
 quality is decided by changes beyond these: error.uv_texels.p99, error.uv_texels.mean: 0.05 texels and 5 %; error.missed+error.false_hits:
 0.1 % of footprint; image.footprint.flip: 0.002 and 2 %; error.shadow.mean: 0.005 visibility and 5 %; motion.texels.mean: 0.005 texels and 5
-%; motion.flip.mean: 0.005 and 5 %
+%; motion.flip.mean, motion.ghosting.mean, motion.history_flip.mean: 0.005 and 5 %
 5 cells compared: 2 slower, 1 undecided, 1 faster, 1 same; quality: 1 worse, 1 mixed, 0 better, 3 same; 3 not compared, 1 of them failed now
 )");
 }

@@ -189,6 +189,21 @@ TEST(Table, FlipIsOverTheFootprintAndOfTheWholePictureInOldRuns) {
                            HasSubstr("relief outside it")));
 }
 
+TEST(Table, WhereTheTruthIsFilteredTheFrontGoesByFlipAndSaysWithHowManySamples) {
+    const Json record = Json::parse(R"({"configuration": {"truth": {"kind": "exact", "samples": 64}}})");
+    CellResult looks_right = measured("a | v", {1, 3});
+    CellResult hits_right = measured("b | v", {2, 1});
+    set_figure(looks_right, "image.footprint.flip", 0.01);
+    set_figure(hits_right, "image.footprint.flip", 0.2);
+    const std::string filtered = format_table({looks_right, hits_right}, {}, record);
+    EXPECT_THAT(filtered, AllOf(HasSubstr("\n* a"), Not(HasSubstr("\n* b")), HasSubstr("faster and better (flip)"),
+                                HasSubstr("over the footprint, against a truth of 64 samples a pixel;\n")));
+    const std::string plain = format_table({looks_right, hits_right});
+    EXPECT_THAT(plain, AllOf(HasSubstr("\n* a"), HasSubstr("\n* b"), HasSubstr("(uv p99)"), Not(HasSubstr("samples"))));
+    remove_figures(looks_right, "image");
+    EXPECT_THAT(format_table({looks_right}, {}, record), HasSubstr("(uv p99)")) << "with the lights off";
+}
+
 TEST(Table, TheMarksAreExplained) {
     const std::string table = format_table({measured("a | v", {})});
     EXPECT_THAT(table, HasSubstr("\n* nothing in the view is both faster and better"));

@@ -30,6 +30,7 @@ import {
   timesText,
   toleranceWords,
 } from "./advice_words.ts";
+import { truthNote } from "../truth.ts";
 import { LimitFields } from "./limits.ts";
 
 const maxGroups = 24;
@@ -88,6 +89,7 @@ export function adviceView(app: App): View {
   const caution = h("div", { class: "caution" });
   const answers = h("div", { class: "answers" });
   const more = h("p", { class: "note" });
+  const against = h("p", { class: "note" });
   const element = h(
     "section",
     { class: "view-advice" },
@@ -96,6 +98,7 @@ export function adviceView(app: App): View {
     caution,
     answers,
     more,
+    against,
     h(
       "p",
       { class: "note" },
@@ -137,6 +140,7 @@ export function adviceView(app: App): View {
       const words = cautionWords(app, errorMetric, [...errors, ...costs]);
       caution.hidden = words.length === 0;
       fill(caution, warning(words.join(" ")));
+      fill(against, truthNote(app.run(), errorMetric));
       fill(answers, ...groups.slice(0, maxGroups).map((group) => answerElement(app, group, question)));
       fill(
         more,

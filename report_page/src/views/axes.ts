@@ -15,7 +15,7 @@ import {
   tooltipStyle,
 } from "../chart.ts";
 import type { Cells, Figure } from "../data.ts";
-import { usualCost, usualError, usualErrorOfSameHits } from "../defaults.ts";
+import { usualCost, usualErrorOfSameHits } from "../defaults.ts";
 import { figureElements, outlierWarning, settingElement } from "../describe.ts";
 import { choose, fill, h } from "../dom.ts";
 import { groupedChoices } from "../figures.ts";
@@ -25,6 +25,7 @@ import { counted, extent, significant } from "../numbers.ts";
 import { filling, lineElement, lineLook, markOf } from "../palette.ts";
 import { figureScale, linearTicks, logRange, logTicks, tickText } from "../scales.ts";
 import { type Abscissa, abscissas, type Line, type LinePoint, lines, mixesViews, sweptTitle } from "../series.ts";
+import { usualErrorsOf } from "../truth.ts";
 import { besideTable } from "./beside_table.ts";
 
 const maxLines = 150;
@@ -93,7 +94,7 @@ export function axesView(app: App): View {
         return;
       }
       const beside = besideById(cells, app.measured(), swept.id);
-      const usual = beside?.sameHits ? usualErrorOfSameHits : usualError;
+      const usual = beside?.sameHits ? usualErrorOfSameHits : usualErrorsOf(app.run());
       const errorMetric = metricById(errors, app.state.error, ...usual)!;
       x.select.value = swept.id;
       cost.select.value = costMetric.id;

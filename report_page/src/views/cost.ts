@@ -15,7 +15,7 @@ import {
   viewLabel,
   viewOf,
 } from "../data.ts";
-import { usualCost, usualError } from "../defaults.ts";
+import { usualCost } from "../defaults.ts";
 import { settingElement, sign, warning } from "../describe.ts";
 import { choose, fill, h, segments } from "../dom.ts";
 import { groupedChoices } from "../figures.ts";
@@ -36,6 +36,7 @@ import { counted } from "../numbers.ts";
 import { paretoFront } from "../pareto.ts";
 import { settingPoints } from "../settings.ts";
 import type { PointsMode } from "../state.ts";
+import { truthNote, usualErrorsOf } from "../truth.ts";
 import { chartOption, manyMarks, type Mark, type Panel, panelLayout } from "./cost_chart.ts";
 
 const maxPanels = 12;
@@ -158,7 +159,7 @@ export function costView(app: App): View {
     title: "Quality against cost",
     element,
     refresh() {
-      const errorMetric = metricById(errors, app.state.error, ...usualError);
+      const errorMetric = metricById(errors, app.state.error, ...usualErrorsOf(app.run()));
       const costMetric = metricById(costs, app.state.cost, ...usualCost);
       mode.set(app.state.points);
       facet.select.value = facetOf(app);
@@ -247,6 +248,8 @@ function noteTexts(app: App, panels: Panel[], wanted: number, cost: Metric, erro
         : "Bars: the 95 % interval of the time.",
     );
   }
+  const against = truthNote(app.run(), error);
+  if (panels.length > 0 && against !== null) texts.push(against);
   if (panels.length > 0) {
     const corner = error.better === "lower" ? "Lower" : "Upper";
     texts.push(`${corner} left is better. The line is the Pareto front: nothing is both cheaper and better.`);

@@ -4,10 +4,12 @@
 import type { App, View } from "../app.ts";
 import type { MapLegend } from "../data.ts";
 import { usualMap } from "../defaults.ts";
-import { warning } from "../describe.ts";
+import { fact, shownMetrics, warning } from "../describe.ts";
 import { choose, fill, h, segments } from "../dom.ts";
 import { draw, type Picture, Pictures } from "../pictures.ts";
-import type { PictureMode } from "../state.ts";
+import { metricText } from "../metrics.ts";
+import { type PictureMode, pictureModes } from "../state.ts";
+import { type Variant, variantsOf } from "../variants.ts";
 import { legendElement, legendValueText } from "./map_legend.ts";
 import { shownCell } from "./shown_cell.ts";
 
@@ -16,9 +18,10 @@ interface Shown {
   technique: Picture | null;
   map: Picture | null;
   legend: MapLegend | null;
+  /** In the mode that shows them; else empty. */
+  variants: { title: string; picture: Picture | null }[];
 }
 
-const modes: PictureMode[] = ["side", "slider", "flip"];
 /** Pixels on a side of the magnifier. */
 const lensPixels = 15;
 const lensScale = 10;
@@ -36,6 +39,7 @@ export function picturesView(app: App): View {
       { value: "side", label: "Side by side" },
       { value: "slider", label: "Slider" },
       { value: "flip", label: "Flip" },
+      { value: "variants", label: "Variants" },
     ],
     (value) => app.update({ mode: value as PictureMode }),
   );
@@ -52,7 +56,7 @@ export function picturesView(app: App): View {
   const controls = h("div", { class: "controls" }, mode.element, names.length > 1 ? map.element : null);
   const element = h("section", { class: "view-pictures" }, empty, controls, stage, lens);
 
-  let shown: Shown = { truth: null, technique: null, map: null, legend: null };
+  let shown: Shown = { truth: null, technique: null, map: null, legend: null, variants: [] };
   let showsTruth = false;
   let divider = 0.5;
   let pixel: Pixel | null = null;
@@ -73,6 +77,7 @@ export function picturesView(app: App): View {
   const redraw = () => {
     stage.dataset["mode"] = app.state.mode;
     if (app.state.mode === "side") fill(stage, ...sideBySide(shown, mapTitle(app, mapName(app)), point));
+    else if (app.state.mode === "variants") fill(stage, ...besideVariants(shown, point));
     else if (app.state.mode === "slider") {
       fill(
         stage,
@@ -92,8 +97,11 @@ export function picturesView(app: App): View {
     drawn = key;
     const get = (at: number): Promise<Picture> | null => (at < 0 ? null : pictures.get(at));
     const [truth, technique, error] = await Promise.all([wanted.truth, wanted.technique, wanted.map].map(get));
+    const variants = await Promise.all(
+      wanted.variants.map(async ({ title, at }) => ({ title, picture: (await get(at)) ?? null })),
+    );
     if (key !== drawn) return;
-    shown = { truth: truth ?? null, technique: technique ?? null, map: error ?? null, legend: legendOf(app) };
+    shown = { truth: truth ?? null, technique: technique ?? null, map: error ?? null, legend: legendOf(app), variants };
     pixel ??= middle(shown.technique ?? shown.truth);
     redraw();
   }
@@ -117,13 +125,13 @@ export function picturesView(app: App): View {
       );
     },
     key(event) {
-      if (event.key === " " && app.state.mode !== "slider") {
+      if (event.key === " " && (app.state.mode === "side" || app.state.mode === "flip")) {
         if (app.state.mode !== "flip") app.update({ mode: "flip" });
         else flip();
         return true;
       }
       if (event.key === "m") {
-        app.update({ mode: modes[(modes.indexOf(app.state.mode) + 1) % modes.length]! });
+        app.update({ mode: pictureModes[(pictureModes.indexOf(app.state.mode) + 1) % pictureModes.length]! });
         return true;
       }
       const size = shown.technique ?? shown.truth;
@@ -177,11 +185,26 @@ interface Wanted {
   truth: number;
   technique: number;
   map: number;
+  variants: { title: string; at: number }[];
+}
+
+const noVariants =
+  "No other cell with pictures differs from this one only in how its picture is made of the same hits: in filters of the material, samples or frames.";
+/** More panes than this are no comparison. */
+const maxVariants = 12;
+
+function variantTitle(app: App, { cell, label }: Variant): string {
+  const { error } = shownMetrics(app);
+  const value = error?.of(app.run().cells, cell) ?? null;
+  const name = label === "" ? "Technique" : label;
+  return error === null || value === null ? name : `${name}: ${error.label} ${metricText(error, value)}`;
 }
 
 function wantedPictures(app: App, cell: number): Wanted {
   const { pictures } = app.run();
+  const variants = app.state.mode === "variants" ? variantsOf(app.run(), cell).slice(0, maxVariants) : [];
   return {
+    variants: variants.map((variant) => ({ title: variantTitle(app, variant), at: pictures.technique[variant.cell]! })),
     truth: pictures.truth[cell] ?? -1,
     technique: pictures.technique[cell] ?? -1,
     map: pictures.maps[mapName(app)]?.[cell] ?? -1,
@@ -194,7 +217,10 @@ function shownPictures(app: App): { wanted: Wanted | null; why: HTMLElement | nu
   const { cell, why } = shownCell(app, (each) => (pictures.technique[each] ?? -1) >= 0);
   const any = pictures.technique.some((at) => at >= 0);
   const wanted = wantedPictures(app, cell);
-  if (cell >= 0 && (wanted.truth >= 0 || wanted.technique >= 0)) return { wanted, why };
+  if (cell >= 0 && (wanted.truth >= 0 || wanted.technique >= 0)) {
+    const alone = app.state.mode === "variants" && wanted.variants.length < 2;
+    return { wanted, why: alone ? h("div", {}, why, fact(noVariants)) : why };
+  }
   if (cell < 0 && any) return { wanted: null, why };
   const text = !any
     ? 'This run kept no pictures. Set "images": true in its configuration, run it and make the report again.'
@@ -252,6 +278,13 @@ function sideBySide(shown: Shown, map: string, point: (pixel: Pixel) => void): H
     paneOf("truth", "Ground truth", shown.truth, point),
     paneOf("technique", "Technique", shown.technique, point),
     mapPane(shown, map, point),
+  ];
+}
+
+function besideVariants(shown: Shown, point: (pixel: Pixel) => void): HTMLElement[] {
+  return [
+    paneOf("truth", "Ground truth", shown.truth, point),
+    ...shown.variants.map(({ title, picture }, at) => paneOf(`variant ${at}`, title, picture, point)),
   ];
 }
 
@@ -322,11 +355,14 @@ function showFlip(stage: HTMLElement, truth: boolean): void {
 
 function lensElements(shown: Shown, pixel: Pixel | null, map: string, legend: MapLegend | null): HTMLElement[] {
   if (pixel === null) return [];
-  const parts: [string, Picture | null][] = [
-    ["Ground truth", shown.truth],
-    ["Technique", shown.technique],
-    [map, shown.map],
-  ];
+  const others: [string, Picture | null][] =
+    shown.variants.length > 0
+      ? shown.variants.map(({ title, picture }) => [title, picture])
+      : [
+          ["Technique", shown.technique],
+          [map, shown.map],
+        ];
+  const parts: [string, Picture | null][] = [["Ground truth", shown.truth], ...others];
   return [
     h(
       "p",
