@@ -222,6 +222,7 @@ TEST(Manifest, WhatIsWrongIsNamedWithItsPlace) {
         {"/passes/0/writes", "\"tre\"", "$.passes[0].writes: no map 'tre' is declared (did you mean 'tree'?)"},
         {"/passes/0/levels", "\"above_base\"", "$.passes[0]: no earlier pass writes the base of the map 'tree'"},
         {"/passes/1/name", "\"leaves\"", "$.passes[1].name: the name 'leaves' is given twice"},
+        {"/passes/1/name", "\"material_mips\"", "$.passes[1].name: 'material_mips' is a pass of the harness"},
         {"/passes/0/shader", "\"../other/leaves.glsl\"", "$.passes[0].shader: expected a file inside the technique's"},
         {"/passes/0/shader", "\"/etc/leaves.glsl\"", "$.passes[0].shader: expected a file inside the technique's"},
         {"/passes/0/shader", "\"\"", "$.passes[0].shader: expected a file inside the technique's"},
