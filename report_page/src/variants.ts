@@ -26,8 +26,9 @@ export function variantsOf(run: RunData, cell: number): Variant[] {
       ? [other]
       : [],
   );
+  // What only some of them have, and all of these alike, follows from another axis.
   const axes = Object.keys(cells.axes).filter(
-    (axis) => new Set(members.map((member) => textOf(cells.axes[axis], member))).size > 1,
+    (axis) => new Set(members.flatMap((member) => textOf(cells.axes[axis], member) ?? [])).size > 1,
   );
   return members.map((member) => ({
     cell: member,

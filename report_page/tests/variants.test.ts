@@ -27,7 +27,7 @@ function runOf(rows: SampleCell[], truth: number[], technique: number[], samples
 
 const rows = [
   drawn("pom | view_angle=60", {}),
-  drawn("pom | view_angle=60 material_filter=mip", { material_filter: "mip" }),
+  drawn("pom | view_angle=60 material_filter=mip", { material_filter: "mip", mip_bias: 0 }),
   drawn("pom | view_angle=60 frames=16", { frames: 16 }),
   drawn("pom max_steps=64 | view_angle=60", {}),
   drawn("pom | view_angle=75", { view_angle: 75 }, 2),

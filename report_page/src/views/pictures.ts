@@ -113,6 +113,7 @@ export function picturesView(app: App): View {
     refresh() {
       mode.set(app.state.mode);
       map.select.value = mapName(app);
+      map.element.hidden = app.state.mode === "variants";
       const { wanted, why } = shownPictures(app);
       fill(empty, why);
       for (const part of [controls, stage, lens]) part.hidden = wanted === null;
