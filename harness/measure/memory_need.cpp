@@ -30,8 +30,8 @@ constexpr std::uint64_t host_pixel = 128;
 constexpr std::uint64_t host_filtered_pixel = 16;
 /// A second probe and its truth.
 constexpr std::uint64_t host_motion_pixel = 100;
-/// The history and its still picture, those of the next frame, the sums of the latter, and what is computed from them.
-constexpr std::uint64_t host_history_pixel = 120;
+/// The history and its still picture, those of the next frame, and what is drawn and computed for them.
+constexpr std::uint64_t host_history_pixel = 208;
 /// Of a picture that is not the probed draw's own: one draw as it is read back, and the sum of them all.
 constexpr std::uint64_t host_drawn_pixel = 56;
 /// Targets and counters of the probed draw, one of them read back.
