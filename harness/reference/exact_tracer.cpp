@@ -1,5 +1,7 @@
 #include "reference/exact_tracer.hpp"
 
+#include "reference/packet_tracer.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -268,10 +270,18 @@ double first_crossing(const HeightMap& map, const MaximumMipChain& maxima, const
     return ray.y.step >= 0 ? Walk<false, true>(map, maxima, ray).run() : Walk<false, false>(map, maxima, ray).run();
 }
 
+ExactHit hit_at(const StraightPath& path, double s) {
+    return {path.uv.x + s * path.uv_per_s.x, path.uv.y + s * path.uv_per_s.y, std::max(1 - s, 0.0),
+            path.t_top + s * path.t_per_s};
+}
+
+/// Fewer rays than this are as quick one by one.
+constexpr std::size_t min_packet_rays = 4;
+
 }  // namespace
 
 ExactTracer::ExactTracer(const HeightMap& map, const Relief& relief)
-    : map_(&map), relief_(relief), plane_(flat_base(relief.base)), maxima_(map) {
+    : map_(&map), relief_(relief), plane_(flat_base(relief.base)), maxima_(map), windows_(map) {
     assert(relief.height_scale > 0 && relief.tiling > 0);
 }
 
@@ -299,14 +309,39 @@ std::optional<ExactHit> ExactTracer::trace(const Ray& ray) const {
     if (s < 0) {
         return std::nullopt;
     }
-    return ExactHit{path.uv.x + s * path.uv_per_s.x, path.uv.y + s * path.uv_per_s.y, std::max(1 - s, 0.0),
-                    path.t_top + s * path.t_per_s};
+    return hit_at(path, s);
 }
 
 void ExactTracer::trace(std::span<const Ray> rays, std::span<std::optional<ExactHit>> hits) const {
     assert(rays.size() == hits.size());
-    for (std::size_t i = 0; i < rays.size(); ++i)
-        hits[i] = trace(rays[i]);
+    const PacketScene scene{.texels = map_->heights.texels.data(),
+                            .width = map_->width(),
+                            .height = map_->height(),
+                            .height_scale = relief_.height_scale,
+                            .columns = relief_.tiling * map_->width(),
+                            .rows = relief_.tiling * map_->height(),
+                            .clip = relief_.boundary == Boundary::clip,
+                            .windows = &windows_};
+    PacketCrossings crossings;
+    for (std::size_t first = 0; first < rays.size(); first += max_packet_rays) {
+        const std::span<const Ray> packet = rays.subspan(first, std::min(max_packet_rays, rays.size() - first));
+        if (packet.size() < min_packet_rays) {
+            std::fill_n(crossings.begin(), packet.size(), not_decided);
+        } else {
+            find_crossings(scene, packet, crossings);
+        }
+        for (std::size_t i = 0; i < packet.size(); ++i) {
+            const Ray& ray = packet[i];
+            std::optional<ExactHit>& hit = hits[first + i];
+            if (crossings[i] == not_decided) {
+                hit = trace(ray);
+            } else if (crossings[i] == crosses_nowhere) {
+                hit.reset();
+            } else {
+                hit = hit_at(straight_path(plane_, ray, relief_.height_scale), crossings[i]);
+            }
+        }
+    }
 }
 
 }  // namespace reliefbench

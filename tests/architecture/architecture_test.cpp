@@ -60,6 +60,7 @@ const std::vector<Confinement>& confinements() {
         only("tiny_gltf", "scene/surface/gltf_file\\.cpp"),
         only("tiny_obj_loader", "scene/surface/obj_file\\.cpp"),
         only("embree", "reference/(mesh_tracer\\.cpp|embree_scene\\.cpp|embree_handles\\.hpp)"),
+        only("hwy/", "reference/packet_[a-z]*(\\.cpp|-inl\\.hpp)"),
         only("glslang/", "gpu/[a-z_]*\\.cpp"),
         only("SPIRV/", "gpu/[a-z_]*\\.cpp"),
         only("spirv/", "gpu/[a-z_]*\\.cpp"),
