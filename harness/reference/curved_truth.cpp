@@ -61,8 +61,10 @@ public:
         return lit_point(ray, hit, base_triangle(curved_base(relief_.base), hit.triangle), hit_by_, map_, relief_);
     }
 
-    bool reaches(const LitPoint& point, const glm::dvec3& to_light) const override {
-        return light_reaches(tracer_, relief_, point, to_light);
+    void follow(std::span<const LightWay> ways, std::span<std::uint8_t> open) const override {
+        std::ranges::transform(ways, open.begin(), [&](const LightWay& way) -> std::uint8_t {
+            return light_reaches(tracer_, relief_, way.point, way.to_light) ? 1 : 0;
+        });
     }
 
 private:

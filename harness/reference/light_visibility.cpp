@@ -3,6 +3,7 @@
 #include "core/parallel.hpp"
 #include "reference/exact_tracer.hpp"
 #include "reference/light_disc.hpp"
+#include "reference/pixel_loop.hpp"
 #include "reference/scrambled_points.hpp"
 
 #include <algorithm>
@@ -62,11 +63,25 @@ public:
         return {.place = surface_point(relief_, u, v, h), .h = h};
     }
 
-    bool reaches(const LitPoint& point, const glm::dvec3& to_light) const override {
-        const std::optional<Ray> ray = light_ray(flat_base(relief_.base), point.place, to_light);
-        if (!ray) return false;
-        const auto hit = tracer_.trace(*ray);
-        return !hit || hit->h <= point.h + height_tolerance;
+    void follow(std::span<const LightWay> ways, std::span<std::uint8_t> open) const override {
+        std::vector<Ray> rays;
+        std::vector<std::size_t> of_way;
+        rays.reserve(ways.size());
+        of_way.reserve(ways.size());
+        for (std::size_t index = 0; index < ways.size(); ++index) {
+            open[index] = 0;
+            const LightWay& way = ways[index];
+            if (const auto ray = light_ray(flat_base(relief_.base), way.point.place, way.to_light)) {
+                rays.push_back(*ray);
+                of_way.push_back(index);
+            }
+        }
+        std::vector<std::optional<ExactHit>> hits(rays.size());
+        tracer_.trace(rays, hits);
+        for (std::size_t index = 0; index < rays.size(); ++index) {
+            const std::optional<ExactHit>& hit = hits[index];
+            open[of_way[index]] = !hit || hit->h <= ways[of_way[index]].point.h + height_tolerance ? 1 : 0;
+        }
     }
 
 private:
@@ -85,8 +100,15 @@ public:
 
     std::size_t lights() const { return discs_.size(); }
 
-    bool is_lit(std::size_t pixel, std::size_t light) const {
-        return paths_.reaches(paths_.point(pixel), discs_[light].to_centre());
+    /// Of pixels that have hits, which of them the centre of the light lights, 1 or 0.
+    std::vector<std::uint8_t> are_lit(std::span<const std::size_t> pixels, std::size_t light) const {
+        std::vector<LightWay> ways;
+        ways.reserve(pixels.size());
+        for (const std::size_t pixel : pixels)
+            ways.push_back({paths_.point(pixel), discs_[light].to_centre()});
+        std::vector<std::uint8_t> lit(pixels.size());
+        paths_.follow(ways, lit);
+        return lit;
     }
 
     /// Goes on to `points` in each scrambling.
@@ -94,12 +116,19 @@ public:
         const LitPoint point = paths_.point(samples.pixel);
         const std::size_t scrambles = samples.lit.size();
         const std::uint64_t seed = (samples.pixel * lights() + samples.light) * scrambles;
+        const auto added = static_cast<std::size_t>(points - samples.points);
+        std::vector<LightWay> ways;
+        ways.reserve(scrambles * added);
         for (std::size_t scramble = 0; scramble < scrambles; ++scramble) {
             for (int index = samples.points; index < points; ++index) {
                 const glm::dvec2 place = scrambled_sobol_point(static_cast<std::uint32_t>(index), seed + scramble);
-                samples.lit[scramble] += paths_.reaches(point, discs_[samples.light].direction(place)) ? 1 : 0;
+                ways.push_back({point, discs_[samples.light].direction(place)});
             }
         }
+        std::vector<std::uint8_t> open(ways.size());
+        paths_.follow(ways, open);
+        for (std::size_t index = 0; index < open.size(); ++index)
+            samples.lit[index / added] += open[index];
         samples.points = points;
     }
 
@@ -109,11 +138,17 @@ private:
 };
 
 void trace_hard(const VisibilityTracer& tracer, const HitImage& hits, LightVisibility& visibility) {
-    parallel_for(hits.texels.size(), pixels_per_task, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t pixel = begin; pixel < end; ++pixel) {
-            if (!hits.texels[pixel].is_hit()) continue;
-            for (std::size_t light = 0; light < tracer.lights(); ++light)
-                visibility.fractions.texels[pixel][light] = tracer.is_lit(pixel, light) ? 1.0F : 0.0F;
+    for_each_pixel_tile(hits.size, [&](std::span<const PixelPlace> places) {
+        std::vector<std::size_t> pixels;
+        for (const PixelPlace& place : places) {
+            const std::size_t pixel = static_cast<std::size_t>(place.j) * static_cast<std::size_t>(hits.size.width) +
+                                      static_cast<std::size_t>(place.i);
+            if (hits.texels[pixel].is_hit()) pixels.push_back(pixel);
+        }
+        for (std::size_t light = 0; light < tracer.lights(); ++light) {
+            const std::vector<std::uint8_t> lit = tracer.are_lit(pixels, light);
+            for (std::size_t index = 0; index < pixels.size(); ++index)
+                visibility.fractions.texels[pixels[index]][light] = lit[index];
         }
     });
 }

@@ -9,7 +9,9 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 
 namespace reliefbench {
 
@@ -43,6 +45,12 @@ struct LitPoint {
     glm::dvec3 normal{0, 0, 1};
 };
 
+/// A direction in which light may come to a point; `to_light` is a unit vector.
+struct LightWay {
+    LitPoint point;
+    glm::dvec3 to_light{};
+};
+
 /// The ways of light to the hits of a picture past one relief.
 class LightPaths {
 public:
@@ -53,8 +61,9 @@ public:
 
     /// Of a pixel that has a hit.
     virtual LitPoint point(std::size_t pixel) const = 0;
-    /// Whether light comes to it from that direction, a unit vector.
-    virtual bool reaches(const LitPoint& point, const glm::dvec3& to_light) const = 0;
+    /// 1 where light comes that way, else 0; as many `open` as `ways`. Quickest for many at once that lie close
+    /// together.
+    virtual void follow(std::span<const LightWay> ways, std::span<std::uint8_t> open) const = 0;
 };
 
 /// `SelfShadow::Mode::hard`: the one direction to the light. `soft`: the fraction of directions within the light's

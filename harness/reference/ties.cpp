@@ -16,23 +16,52 @@ TieFinder::TieFinder(const HeightMap& map, const Relief& relief, const ExactTrac
       lift_(1.01 * tie_shift_texels) {}
 
 bool TieFinder::is_tie(const Ray& ray) const {
+    return find({&ray, 1}).front();
+}
+
+std::vector<bool> TieFinder::find(std::span<const Ray> rays) const {
     // A shift in u or v raises or lowers the surface under the ray by no more than `lift_`, so that the shifted rays'
     // hits lie between those of the ray lowered and raised by it: where these agree no shift can tell.
-    if (!is_near_border(ray)) {
-        const auto lifted = [&](double by) {
-            // Parallel rays of a plane start on it: a lowered one has to come from above as well.
-            const Ray earlier = started_above(plane_, ray, lift_ * height_scale_);
-            return tracer_->trace(shifted(plane_, earlier, {0, 0, by * height_scale_}));
-        };
-        if (!differ(lifted(-lift_), lifted(lift_))) return false;
+    std::vector<Ray> lowered;
+    std::vector<Ray> raised;
+    for (const Ray& ray : rays) {
+        lowered.push_back(lifted(ray, -lift_));
+        raised.push_back(lifted(ray, lift_));
     }
-    const std::optional<ExactHit> hit = tracer_->trace(ray);
+    const auto below = trace(lowered);
+    const auto above = trace(raised);
+
     const double du = tie_shift_texels / columns_;
     const double dv = tie_shift_texels / rows_;
-    const std::array<glm::dvec3, 4> shifts{{{du, 0, 0}, {-du, 0, 0}, {0, dv, 0}, {0, -dv, 0}}};
-    return std::any_of(shifts.begin(), shifts.end(), [&](const glm::dvec3& shift) {
-        return differ(hit, tracer_->trace(shifted(plane_, ray, shift)));
-    });
+    const std::array<glm::dvec3, 5> shifts{{{0, 0, 0}, {du, 0, 0}, {-du, 0, 0}, {0, dv, 0}, {0, -dv, 0}}};
+    std::vector<std::size_t> suspects;
+    std::vector<Ray> shifted_rays;
+    for (std::size_t index = 0; index < rays.size(); ++index) {
+        if (!is_near_border(rays[index]) && !differ(below[index], above[index])) continue;
+        suspects.push_back(index);
+        for (const glm::dvec3& shift : shifts)
+            shifted_rays.push_back(shifted(plane_, rays[index], shift));
+    }
+    const auto hits = trace(shifted_rays);
+    std::vector<bool> ties(rays.size(), false);
+    for (std::size_t suspect = 0; suspect < suspects.size(); ++suspect) {
+        const auto of_suspect = std::span(hits).subspan(suspect * shifts.size(), shifts.size());
+        ties[suspects[suspect]] = std::ranges::any_of(
+            of_suspect, [&](const std::optional<ExactHit>& hit) { return differ(of_suspect.front(), hit); });
+    }
+    return ties;
+}
+
+Ray TieFinder::lifted(const Ray& ray, double by) const {
+    // Parallel rays of a plane start on it: a lowered one has to come from above as well.
+    const Ray earlier = started_above(plane_, ray, lift_ * height_scale_);
+    return shifted(plane_, earlier, {0, 0, by * height_scale_});
+}
+
+std::vector<std::optional<ExactHit>> TieFinder::trace(std::span<const Ray> rays) const {
+    std::vector<std::optional<ExactHit>> hits(rays.size());
+    tracer_->trace(rays, hits);
+    return hits;
 }
 
 bool TieFinder::differ(const std::optional<ExactHit>& a, const std::optional<ExactHit>& b) const {

@@ -2,6 +2,10 @@
 
 #include "reference/exact_tracer.hpp"
 
+#include <optional>
+#include <span>
+#include <vector>
+
 namespace reliefbench {
 
 /// How far a ray is shifted to see whether its answer rests on rounding: beyond what single precision leaves of texture
@@ -23,7 +27,13 @@ public:
     /// close.
     bool is_tie(const Ray& ray) const;
 
+    /// The same of each ray, in packets (ExactTracer::trace).
+    std::vector<bool> find(std::span<const Ray> rays) const;
+
 private:
+    /// The ray's line lowered or raised by so much, in h.
+    Ray lifted(const Ray& ray, double by) const;
+    std::vector<std::optional<ExactHit>> trace(std::span<const Ray> rays) const;
     bool differ(const std::optional<ExactHit>& a, const std::optional<ExactHit>& b) const;
     bool is_near_border(const Ray& ray) const;
 

@@ -15,6 +15,7 @@
 #include <chrono>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace reliefbench {
 namespace {
@@ -42,19 +43,31 @@ void light(Truth& truth, const HeightMap& map, const Albedo& albedo, const View&
     if (picture.object != nullptr) show_object(truth, *picture.object, view, lighting);
 }
 
-/// Calls trace(ray) for every pixel whose hit a truth has, and marks F in the footprint.
+/// Calls trace(rays, hits) for all pixels whose hit a truth has, and marks F in the footprint.
 template <typename Trace>
 Truth trace_hits(const View& view, const Trace& trace) {
     Truth truth;
     truth.hits = HitImage(view.resolution);
     truth.footprint = FootprintImage(view.resolution);
-    const PixelRays rays = pixel_rays(view);
-    for_each_pixel(view.resolution, [&](int i, int j) {
-        const Ray ray = rays.at(i, j);
-        const bool inside = footprint_entry(ray, view.relief.base).has_value();
-        truth.footprint.at(i, j) = inside ? in_footprint : 0;
-        if (!inside && view.relief.boundary == Boundary::repeat) return;
-        if (const auto hit = trace(ray)) truth.hits.at(i, j) = to_hit(*hit);
+    const PixelRays pixel_ray = pixel_rays(view);
+    for_each_pixel_tile(view.resolution, [&](std::span<const PixelPlace> pixels) {
+        std::vector<Ray> rays;
+        std::vector<PixelPlace> places;
+        rays.reserve(pixels.size());
+        places.reserve(pixels.size());
+        for (const PixelPlace& pixel : pixels) {
+            const Ray ray = pixel_ray.at(pixel.i, pixel.j);
+            const bool inside = footprint_entry(ray, view.relief.base).has_value();
+            truth.footprint.at(pixel.i, pixel.j) = inside ? in_footprint : 0;
+            if (!inside && view.relief.boundary == Boundary::repeat) continue;
+            rays.push_back(ray);
+            places.push_back(pixel);
+        }
+        std::vector<std::optional<ExactHit>> hits(rays.size());
+        trace(rays, hits);
+        for (std::size_t index = 0; index < hits.size(); ++index) {
+            if (hits[index]) truth.hits.at(places[index].i, places[index].j) = to_hit(*hits[index]);
+        }
     });
     return truth;
 }
@@ -63,10 +76,19 @@ Truth trace_hits(const View& view, const Trace& trace) {
 /// technique shares.
 void mark_ties(Truth& truth, const HeightMap& map, const View& view, const ExactTracer& tracer) {
     const TieFinder ties(map, view.relief, tracer);
-    const PixelRays rays = pixel_rays(view);
-    for_each_pixel(view.resolution, [&](int i, int j) {
-        if (truth.footprint.at(i, j) == 0) return;
-        if (ties.is_tie(rays.at(i, j))) truth.footprint.at(i, j) = tie_in_footprint;
+    const PixelRays pixel_ray = pixel_rays(view);
+    for_each_pixel_tile(view.resolution, [&](std::span<const PixelPlace> pixels) {
+        std::vector<Ray> rays;
+        std::vector<PixelPlace> places;
+        for (const PixelPlace& pixel : pixels) {
+            if (truth.footprint.at(pixel.i, pixel.j) == 0) continue;
+            rays.push_back(pixel_ray.at(pixel.i, pixel.j));
+            places.push_back(pixel);
+        }
+        const std::vector<bool> are_ties = ties.find(rays);
+        for (std::size_t index = 0; index < places.size(); ++index) {
+            if (are_ties[index]) truth.footprint.at(places[index].i, places[index].j) = tie_in_footprint;
+        }
     });
 }
 
@@ -100,10 +122,12 @@ Truth trace_exact_truth(const HeightMap& map, const Albedo& albedo, const View& 
     if (!is_flat(view.relief.base)) return trace_curved_truth(map, albedo, view, lighting, picture);
     const auto start = std::chrono::steady_clock::now();
     const ExactTracer tracer(map, view.relief);
-    Truth truth = trace_hits(view, [&](const Ray& ray) { return tracer.trace(ray); });
+    const auto trace = [&](std::span<const Ray> rays, std::span<std::optional<ExactHit>> hits) {
+        tracer.trace(rays, hits);
+    };
+    Truth truth = trace_hits(view, trace);
     mark_ties(truth, map, view, tracer);
-    light(truth, map, albedo, view, lighting, picture, tracer,
-          [&](std::span<const Ray> rays, std::span<std::optional<ExactHit>> hits) { tracer.trace(rays, hits); });
+    light(truth, map, albedo, view, lighting, picture, tracer, trace);
     truth.trace_ms = milliseconds_since(start);
     return truth;
 }
@@ -114,12 +138,12 @@ Truth trace_mesh_truth(const HeightMap& map, const Albedo& albedo, const View& v
     const auto start = std::chrono::steady_clock::now();
     const MeshTracer mesh(map, view, subdivision);
     const ExactTracer tracer(map, view.relief);
-    Truth truth = trace_hits(view, [&](const Ray& ray) { return mesh.trace(ray); });
+    const auto trace = [&](std::span<const Ray> rays, std::span<std::optional<ExactHit>> hits) {
+        std::ranges::transform(rays, hits.begin(), [&](const Ray& ray) { return mesh.trace(ray); });
+    };
+    Truth truth = trace_hits(view, trace);
     mark_ties(truth, map, view, tracer);
-    light(truth, map, albedo, view, lighting, picture, tracer,
-          [&](std::span<const Ray> rays, std::span<std::optional<ExactHit>> hits) {
-              std::transform(rays.begin(), rays.end(), hits.begin(), [&](const Ray& ray) { return mesh.trace(ray); });
-          });
+    light(truth, map, albedo, view, lighting, picture, tracer, trace);
     truth.trace_ms = milliseconds_since(start);
     return truth;
 }
