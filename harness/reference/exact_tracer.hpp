@@ -34,7 +34,7 @@ public:
     /// on for ever. Rays that do not descend miss.
     std::optional<ExactHit> trace(const Ray& ray) const;
 
-    /// The same of each ray, bit for bit; as many `hits` as `rays`. In packets, several times as fast, where rays are
+    /// The same of each ray, bit for bit; as many `hits` as `rays`. In packets, up to four times as fast, where rays are
     /// neighbours: every sixteen in a row lie close together (4 × 4 pixels, or samples of one), a multiple of 256 in
     /// all.
     void trace(std::span<const Ray> rays, std::span<std::optional<ExactHit>> hits) const;

@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace reliefbench::HWY_NAMESPACE {
 
 /// How many cells are tested before the lanes that are left march on.
-constexpr int cells_in_a_row = 3;
+constexpr int cells_in_a_row = 4;
 
 /// Closer to a corner of cells than this, in cells, rounding may decide which way a walk takes.
 constexpr double corner_distance = 0x1p-30;
@@ -32,7 +32,6 @@ public:
     /// Tests cells from where the lanes have marched to, and says what becomes of each.
     HWY_INLINE void run() {
         crossing_ = hn::IfThenElse(active_, number(not_decided), hn::Load(d_, lanes_.crossing + at_));
-        const DoubleMask marched = active_;
         right_ = hn::IfThenElseZero(hn::Ge(slab_.step_x, zero_), one_);
         up_ = hn::IfThenElseZero(hn::Ge(slab_.step_y, zero_), one_);
         DoubleMask at_start = enter();
@@ -44,10 +43,13 @@ public:
         const Double tested = hn::Load(d_, lanes_.tested + at_);
         hn::Store(hn::IfThenElse(active_, in_, tested), d_, lanes_.tested + at_);
         hn::Store(hn::IfThenElse(active_, number(crosses_nowhere), crossing_), d_, lanes_.crossing + at_);
-        if (any()) store_slab(slab_, lanes_, at_);
+        if (!any()) {
+            hn::Store(hn::Zero(FewInts()), FewInts(), lanes_.march.state + at_);
+            return;
+        }
+        store_slab(slab_, lanes_, at_);
         // Rounded upwards; the margins of the march reach back.
-        if (!hn::AllFalse(d_, marched))
-            start_march(scene_, slab_, active_, hn::Mul(in_, number(1 + 0x1p-22)), lanes_.march, at_);
+        start_march(scene_, slab_, active_, hn::Mul(in_, number(1 + 0x1p-22)), lanes_.march, at_);
     }
 
 private:
@@ -131,10 +133,13 @@ private:
         HWY_INLINE DoubleMask falls_within(Double length) const {
             const Double zero = number(0);
             const Double at_end = hn::Add(hn::Mul(hn::Add(hn::Mul(a, length), b), length), c);
+            const DoubleMask below = hn::Lt(at_end, zero);
+            const DoubleMask could_turn = hn::And(hn::And(hn::Gt(a, zero), hn::Lt(b, zero)),
+                                                  hn::AndNot(below, hn::Gt(hn::Mul(b, b), discriminant_part())));
+            if (hn::AllFalse(Doubles(), could_turn)) return below;  // nearly always, and divisions are slow
             const Double extremum = hn::Div(hn::Neg(b), hn::Mul(number(2), a));
-            const DoubleMask turns = hn::And(hn::And(hn::Gt(extremum, zero), hn::Lt(extremum, length)),
-                                             hn::Gt(hn::Mul(b, b), discriminant_part()));
-            return hn::Or(hn::Lt(at_end, zero), hn::And(hn::Gt(a, zero), turns));
+            const DoubleMask within = hn::And(hn::Gt(extremum, zero), hn::Lt(extremum, length));
+            return hn::Or(below, hn::And(could_turn, within));
         }
 
         /// Clamped to [0, length].
@@ -142,9 +147,10 @@ private:
             const Double zero = number(0);
             const Double root = hn::Sqrt(greatest_of(hn::Sub(hn::Mul(b, b), discriminant_part()), zero));
             const Double q = hn::Sub(root, b);
-            const Double falling = hn::Div(hn::Sub(hn::Neg(b), root), hn::Mul(number(2), a));
-            const Double rising = hn::IfThenElseZero(hn::Gt(q, zero), hn::Div(hn::Mul(number(2), c), q));
-            const Double s = hn::IfThenElse(hn::Gt(b, zero), falling, rising);
+            const DoubleMask rising = hn::Gt(b, zero);
+            const Double numerator = hn::IfThenElse(rising, hn::Sub(hn::Neg(b), root), hn::Mul(number(2), c));
+            const Double quotient = hn::Div(numerator, hn::IfThenElse(rising, hn::Mul(number(2), a), q));
+            const Double s = hn::IfThenElseZero(hn::Or(rising, hn::Gt(q, zero)), quotient);
             return hn::IfThenElse(hn::Lt(s, zero), zero, hn::IfThenElse(hn::Lt(length, s), length, s));
         }
     };

@@ -76,12 +76,11 @@ HWY_INLINE Double in_first_copy(Double origin, Double step, Double first, int si
 /// Where `marches`: in single precision, with margins, up to the end of the relief or of the map's copy.
 HWY_INLINE void start_march(const PacketScene& scene, const SlabLanes& slab, DoubleMask marches, Double from,
                             MarchLanes<max_packet_rays>& march, std::size_t at) {
-    const Doubles d;
     const FewFloats few;
     const double size = std::max(scene.width, scene.height);
     const Double extent = hn::Max(hn::Abs(slab.step_x), hn::Abs(slab.step_y));
     const Double margin = hn::Mul(hn::Add(extent, number(size)), number(0x1p-19));
-    const Double per_cell = hn::Div(number(1), extent);
+    const Double per_cell = hn::Min(hn::Abs(slab.inverse_x), hn::Abs(slab.inverse_y));
     const Double copy_end = slab.copy_end(scene);
     const auto to_border = hn::Lt(copy_end, slab.last);
     const Double end =
@@ -100,7 +99,6 @@ HWY_INLINE void start_march(const PacketScene& scene, const SlabLanes& slab, Dou
     const Double state = hn::IfThenElse(to_border, number(lane_marches_to_border), number(lane_marches));
     hn::Store(hn::DemoteTo(FewInts(), hn::IfThenElseZero(marches, state)), FewInts(), march.state + at);
     static_assert(lane_rests == 0);
-    static_cast<void>(d);
 }
 
 HWY_INLINE void store_slab(const SlabLanes& slab, PacketLanes& lanes, std::size_t at) {
@@ -147,7 +145,9 @@ HWY_INLINE void set_up(const PacketScene& scene, const Ray* rays, PacketLanes& l
     slab.step_y = hn::Mul(hn::Mul(t_per_s, along_y), number(scene.rows));
     slab.inverse_x = hn::Div(number(1), slab.step_x);
     slab.inverse_y = hn::Div(number(1), slab.step_y);
-    slab.first = hn::IfThenElseZero(hn::Lt(t_top, zero), hn::Div(hn::Neg(t_top), t_per_s));
+    const auto starts_below = hn::Lt(t_top, zero);
+    slab.first = zero;
+    if (!hn::AllFalse(d, starts_below)) slab.first = hn::IfThenElseZero(starts_below, hn::Div(hn::Neg(t_top), t_per_s));
     slab.last = number(1.5);
     if (scene.clip) {
         slab.clip(slab.x, slab.inverse_x, scene.columns - 0.5);

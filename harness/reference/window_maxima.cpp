@@ -29,9 +29,8 @@ WindowMaxima::WindowMaxima(const HeightMap& map) {
     const std::size_t columns = std::bit_ceil(width);
     const std::size_t rows = std::bit_ceil(height);
     row_shift_ = std::countr_zero(columns);
-    // Two windows a side of the level below the top would see it, too, but not from each.
     top_level_ = static_cast<int>(std::bit_width(std::min(columns, rows))) - 1;
-    // The level's own size at least, and then also that of all coarser ones below it.
+    // Level 0 has so many windows, and all coarser ones lie before it.
     first_ = columns * rows;
     bounds_ = std::make_unique_for_overwrite<std::uint16_t[]>(2 * first_ + 1);
     fill_first_level(map);

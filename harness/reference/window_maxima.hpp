@@ -17,7 +17,7 @@ class WindowMaxima {
 public:
     explicit WindowMaxima(const HeightMap& map);
 
-    /// The windows of this level see the whole map.
+    /// Its windows are half as wide as the map's shorter side, at least.
     int top_level() const { return top_level_; }
 
     /// Window (i, j) of level k is bounds()[index(k, i, j)], in steps of `step`; one more element may be read behind
