@@ -61,10 +61,10 @@ std::vector<Ray> view_rays(const View& view) {
     const PixelRays of_pixels = pixel_rays(view);
     constexpr std::size_t tiles_along = resolution.width / 16;
     for_each_pixel_tile(resolution, [&](std::span<const PixelPlace> pixels) {
-        const std::size_t tile =
-            static_cast<std::size_t>(pixels[0].j / 16) * tiles_along + static_cast<std::size_t>(pixels[0].i / 16);
+        const std::size_t tile = static_cast<std::size_t>(pixels[0].row / 16) * tiles_along +
+                                 static_cast<std::size_t>(pixels[0].column / 16);
         for (std::size_t index = 0; index < pixels.size(); ++index)
-            rays[tile * pixels.size() + index] = of_pixels.at(pixels[index].i, pixels[index].j);
+            rays[tile * pixels.size() + index] = of_pixels.at(pixels[index].column, pixels[index].row);
     });
     return rays;
 }

@@ -141,8 +141,8 @@ void trace_hard(const VisibilityTracer& tracer, const HitImage& hits, LightVisib
     for_each_pixel_tile(hits.size, [&](std::span<const PixelPlace> places) {
         std::vector<std::size_t> pixels;
         for (const PixelPlace& place : places) {
-            const std::size_t pixel = static_cast<std::size_t>(place.j) * static_cast<std::size_t>(hits.size.width) +
-                                      static_cast<std::size_t>(place.i);
+            const std::size_t pixel = static_cast<std::size_t>(place.row) * static_cast<std::size_t>(hits.size.width) +
+                                      static_cast<std::size_t>(place.column);
             if (hits.texels[pixel].is_hit()) pixels.push_back(pixel);
         }
         for (std::size_t light = 0; light < tracer.lights(); ++light) {

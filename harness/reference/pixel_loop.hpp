@@ -2,6 +2,7 @@
 
 #include "core/parallel.hpp"
 #include "scene/image.hpp"
+#include "scene/pixel_place.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,11 +23,6 @@ void for_each_pixel(Resolution resolution, const Body& body) {
         }
     });
 }
-
-struct PixelPlace {
-    int i = 0;
-    int j = 0;
-};
 
 /// Calls body(pixels) for tiles of 16 × 16 pixels, cut short by the picture, in parallel. Within a tile 4 × 4 pixels
 /// follow each other: the order in which ExactTracer takes rays best.

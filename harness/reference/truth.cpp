@@ -56,9 +56,9 @@ Truth trace_hits(const View& view, const Trace& trace) {
         rays.reserve(pixels.size());
         places.reserve(pixels.size());
         for (const PixelPlace& pixel : pixels) {
-            const Ray ray = pixel_ray.at(pixel.i, pixel.j);
+            const Ray ray = pixel_ray.at(pixel.column, pixel.row);
             const bool inside = footprint_entry(ray, view.relief.base).has_value();
-            truth.footprint.at(pixel.i, pixel.j) = inside ? in_footprint : 0;
+            truth.footprint.at(pixel.column, pixel.row) = inside ? in_footprint : 0;
             if (!inside && view.relief.boundary == Boundary::repeat) continue;
             rays.push_back(ray);
             places.push_back(pixel);
@@ -66,7 +66,7 @@ Truth trace_hits(const View& view, const Trace& trace) {
         std::vector<std::optional<ExactHit>> hits(rays.size());
         trace(rays, hits);
         for (std::size_t index = 0; index < hits.size(); ++index) {
-            if (hits[index]) truth.hits.at(places[index].i, places[index].j) = to_hit(*hits[index]);
+            if (hits[index]) truth.hits.at(places[index].column, places[index].row) = to_hit(*hits[index]);
         }
     });
     return truth;
@@ -81,13 +81,13 @@ void mark_ties(Truth& truth, const HeightMap& map, const View& view, const Exact
         std::vector<Ray> rays;
         std::vector<PixelPlace> places;
         for (const PixelPlace& pixel : pixels) {
-            if (truth.footprint.at(pixel.i, pixel.j) == 0) continue;
-            rays.push_back(pixel_ray.at(pixel.i, pixel.j));
+            if (truth.footprint.at(pixel.column, pixel.row) == 0) continue;
+            rays.push_back(pixel_ray.at(pixel.column, pixel.row));
             places.push_back(pixel);
         }
         const std::vector<bool> are_ties = ties.find(rays);
         for (std::size_t index = 0; index < places.size(); ++index) {
-            if (are_ties[index]) truth.footprint.at(places[index].i, places[index].j) = tie_in_footprint;
+            if (are_ties[index]) truth.footprint.at(places[index].column, places[index].row) = tie_in_footprint;
         }
     });
 }
