@@ -166,6 +166,14 @@ vk::raii::ShaderModule make_module(const DeviceHandles& handles, const SpirV& co
 
 }  // namespace
 
+bool use_resource(const std::vector<CompiledStage>& stages, const std::string& name) {
+    return std::ranges::any_of(stages, [&](const CompiledStage& stage) {
+        const ShaderInterface interface = read_interface(*stage.code, vulkan_stage(stage.stage));
+        const auto declared = interface.resources.find(name);
+        return declared != interface.resources.end() && declared->second.is_used;
+    });
+}
+
 Binding uniform_buffer(std::string name, const vk::raii::Buffer& buffer) {
     return {.name = std::move(name),
             .type = vk::DescriptorType::eUniformBuffer,

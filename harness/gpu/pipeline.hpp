@@ -18,6 +18,9 @@ struct CompiledStage {
     std::shared_ptr<const SpirV> code;
 };
 
+/// Whether a function of any of the stages refers to what has this name.
+bool use_resource(const std::vector<CompiledStage>& stages, const std::string& name);
+
 /// 32-bit values by the constants' names in GLSL.
 using SpecializationValues = std::map<std::string, std::uint32_t>;
 

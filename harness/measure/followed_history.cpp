@@ -68,7 +68,7 @@ void FollowedHistory::follow(const gpu::Device& device, Renderer& renderer, cons
 }
 
 Camera FollowedHistory::jittered(Camera camera, int frame) const {
-    camera.shift = frame_shift(frame % still_frames, still_frames, view_.resolution);
+    camera.shift = frame_shift(frame % still_frames, still_frames, view_.resolution, view_.samples_per_pixel);
     return camera;
 }
 

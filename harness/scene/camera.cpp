@@ -34,12 +34,13 @@ glm::dvec2 halton_point(int frame) {
 
 }  // namespace
 
-glm::dvec2 frame_shift(int frame, int frames, Resolution resolution) {
+glm::dvec2 frame_shift(int frame, int frames, Resolution resolution, int samples_per_pixel) {
     assert(frame >= 0 && frame < frames);
     glm::dvec2 sum{0, 0};
     for (int i = 0; i < frames; ++i)
         sum += halton_point(i);
-    return (halton_point(frame) - sum / double(frames)) / glm::dvec2(resolution.width, resolution.height);
+    const glm::dvec2 pixels = (halton_point(frame) - sum / double(frames)) / std::sqrt(samples_per_pixel);
+    return pixels / glm::dvec2(resolution.width, resolution.height);
 }
 
 std::string to_string(Projection projection) {

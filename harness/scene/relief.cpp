@@ -14,7 +14,7 @@ View through_centres(View view) {
 
 View frame_of(View view, int frame) {
     if (view.frames == 1) return view;
-    view.camera.shift += frame_shift(frame, view.frames, view.resolution);
+    view.camera.shift += frame_shift(frame, view.frames, view.resolution, view.samples_per_pixel);
     view.frame = frame;
     view.frames = 1;
     return view;

@@ -76,6 +76,14 @@ gpu::GraphicsPipelineOptions pipeline_options(const gpu::Device& device, const T
     return options;
 }
 
+std::vector<gpu::Binding> bindings_of(const DrawSetup& setup, const std::vector<gpu::CompiledStage>& stages) {
+    std::vector<gpu::Binding> bindings = setup.bindings;
+    for (const auto& [name, make] : setup.on_demand) {
+        if (gpu::use_resource(stages, name)) bindings.push_back(make());
+    }
+    return bindings;
+}
+
 }  // namespace
 
 Draw::Draw(const gpu::Device& device, const Technique& technique, Kind kind, const DrawSetup& setup)
@@ -97,7 +105,7 @@ Draw::Draw(const gpu::Device& device, const Technique& technique, Kind kind, con
     }
     clears_.push_back(background_of(options.constants.at(srgb_target) != 0, setup.background));
 
-    std::vector<gpu::Binding> bindings = setup.bindings;
+    std::vector<gpu::Binding> bindings = bindings_of(setup, options.stages);
     if (kind == Kind::probed) {
         clears_.push_back({.float32 = std::array<float, 4>{0, 0, 0, -1}});
         clears_.push_back({.float32 = std::array<float, 4>{1, 1, 1, 0}});
@@ -172,8 +180,8 @@ std::vector<std::byte> Draw::read_depth() const {
 
 gpu::ExecutableStatistics read_executable_statistics(const gpu::Device& device, const Technique& technique,
                                                      const DrawSetup& setup) {
-    return gpu::read_executable_statistics(
-        device, pipeline_options(device, technique, Draw::Kind::timed_display, setup), setup.bindings);
+    const gpu::GraphicsPipelineOptions options = pipeline_options(device, technique, Draw::Kind::timed_display, setup);
+    return gpu::read_executable_statistics(device, options, bindings_of(setup, options.stages));
 }
 
 }  // namespace reliefbench

@@ -12,7 +12,10 @@
 #include "technique/work_counters.hpp"
 
 #include <array>
+#include <functional>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace reliefbench {
@@ -23,6 +26,8 @@ struct DrawSetup {
     ParameterValues parameters;
     gpu::SpecializationValues constants;
     std::vector<gpu::Binding> bindings;
+    /// By name, what is made and bound only where a stage uses it.
+    std::map<std::string, std::function<gpu::Binding()>> on_demand = {};
     DrawGeometry geometry;
     /// Drawn first, into what is timed.
     std::optional<ObjectOnDevice> object = {};

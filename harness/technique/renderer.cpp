@@ -148,6 +148,8 @@ struct Renderer::State {
     /// What is timed, where that is another one.
     std::optional<Frame> timed_frame;
     bool prepared = false;
+    /// PreparationSettings::cache.
+    std::filesystem::path cache;
 
     const DrawSetup& timed_setup() const { return timed_frame ? timed_frame->setup : centres.setup; }
 
@@ -206,6 +208,7 @@ Renderer::State::Frame Renderer::State::make_frame(const View& from) const {
         for (const gpu::Binding& binding : base->bindings())
             result.bindings.push_back(binding);
     }
+    result.on_demand[blue_noise_name] = [this] { return scene.textures().blue_noise.binding(cache); };
     if (object)
         result.object.emplace(device, *object, from, technique.shaders, gpu::uniform_buffer(scene_block_name, values));
     result.geometry = geometry_of(from);
@@ -296,6 +299,7 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 
 Preparation Renderer::prepare(const PreparationSettings& settings) {
+    state_->cache = settings.cache;
     Preparation preparation = state_->maps.prepare(settings);
     state_->prepared = preparation.given_up.empty();
     if (state_->prepared && state_->material) {

@@ -96,7 +96,7 @@ struct PreparationSettings {
     int samples = 1;
     /// A preparation in slices that will take longer than this, in seconds on the device, is given up.
     double limit_s = std::numeric_limits<double>::infinity();
-    /// Where maps made in slices are kept (core/cache_folder.hpp); empty: nowhere.
+    /// Where maps made in slices are kept (core/cache_folder.hpp), and blue noise; empty: nowhere.
     std::filesystem::path cache = {};
     /// Whether maps kept there earlier do.
     bool take_kept = true;

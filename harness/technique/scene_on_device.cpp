@@ -89,6 +89,7 @@ SceneOnDevice::Textures::Textures(const gpu::Device& device, const HeightMap& ma
       linear_repeat(gpu::make_sampler(device, {})),
       nearest_repeat(gpu::make_sampler(device, {.filter = vk::Filter::eNearest})),
       bases(device),
+      blue_noise(device),
       device_(&device) {}
 
 std::vector<gpu::Binding> SceneOnDevice::Textures::height_bindings() const {

@@ -5,6 +5,7 @@
 #include "gpu/memory.hpp"
 #include "gpu/pipeline.hpp"
 #include "technique/base_on_device.hpp"
+#include "technique/blue_noise.hpp"
 #include "technique/material_mips.hpp"
 #include "technique/renderer.hpp"
 
@@ -25,6 +26,7 @@ struct SceneOnDevice::Textures {
     vk::raii::Sampler linear_repeat;
     vk::raii::Sampler nearest_repeat;
     BasesOnDevice bases;
+    BlueNoiseOnDevice blue_noise;
 
     /// What preparation passes see.
     std::vector<gpu::Binding> height_bindings() const;

@@ -32,6 +32,11 @@ TEST(FrameShift, IsHaltonsSequenceAboutItsMean) {
     }
 }
 
+TEST(FrameShift, GoesBetweenTheSamplesOfAPixelThatHasSeveral) {
+    for (int frame = 0; frame < 4; ++frame)
+        EXPECT_EQ(frame_shift(frame, 4, resolution, 4), frame_shift(frame, 4, resolution) / 2.0);
+}
+
 TEST(FrameShift, OfOneFrameIsNone) {
     EXPECT_EQ(frame_shift(0, 1, resolution), glm::dvec2(0));
 }

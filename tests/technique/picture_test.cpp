@@ -198,7 +198,7 @@ TEST_F(Pictures, FramesAreAveragedInLinearLight) {
             Image<std::array<double, 3>> sum(view.resolution);
             for (int frame = 0; frame < view.frames; ++frame) {
                 Camera camera = view.camera;
-                camera.shift = frame_shift(frame, view.frames, view.resolution);
+                camera.shift = frame_shift(frame, view.frames, view.resolution, samples);
                 const Probe drawn = one.probe_from(camera, frame);
                 for (std::size_t i = 0; i < sum.texels.size(); ++i) {
                     for (std::size_t channel = 0; channel < 3; ++channel)

@@ -5,6 +5,20 @@
 #include "crossing.glsl"
 #include "refinement.glsl"
 
+#if defined(START_OFFSET_GRADIENT_NOISE) || defined(START_OFFSET_BLUE_NOISE)
+#define RELIEFBENCH_START_OFFSET 1
+#include "pixel_noise.glsl"
+
+// How far from the entry the pixel's first layer lies, in layers.
+float start_offset_of_pixel() {
+#ifdef START_OFFSET_BLUE_NOISE
+    return blue_noise_of_pixel();
+#else
+    return gradient_noise_of_pixel();
+#endif
+}
+#endif
+
 // Bilinear height at texture coordinates, from the four texels in one gather.
 float tap_height_exactly(vec2 uv) {
     vec2 place = uv * vec2(height_map_size()) - 0.5;
@@ -51,6 +65,17 @@ Crossing find_crossing(ReliefRay ray, float layers) {
     float h = tap_along(ray, 0.0);
     if (enters_surface(h)) h = 1.0;
     Crossing crossing = Crossing(0.0, h, 0.0, h, 0);
+#ifdef RELIEFBENCH_START_OFFSET
+    // All layers move together, but the last: one more than else lies at the ray's end.
+    float first = start_offset_of_pixel();
+    while (crossing.s_below < end_of_ray(ray) && crossing.h_below < height_of_ray(ray, crossing.s_below)) {
+        crossing.s_above = crossing.s_below;
+        crossing.h_above = crossing.h_below;
+        crossing.s_below = min((float(crossing.steps) + first) / layers, 1.0) * end_of_ray(ray);
+        crossing.steps += 1;
+        crossing.h_below = tap_along(ray, crossing.s_below);
+    }
+#else
     while (float(crossing.steps) < layers && crossing.h_below < height_of_ray(ray, crossing.s_below)) {
         crossing.steps += 1;
         crossing.s_above = crossing.s_below;
@@ -59,6 +84,7 @@ Crossing find_crossing(ReliefRay ray, float layers) {
         if (step_rounding == step_rounding_fractional) crossing.s_below = min(crossing.s_below, end_of_ray(ray));
         crossing.h_below = tap_along(ray, crossing.s_below);
     }
+#endif
     return crossing;
 }
 
