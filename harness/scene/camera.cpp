@@ -39,7 +39,7 @@ glm::dvec2 frame_shift(int frame, int frames, Resolution resolution, int samples
     glm::dvec2 sum{0, 0};
     for (int i = 0; i < frames; ++i)
         sum += halton_point(i);
-    const glm::dvec2 pixels = (halton_point(frame) - sum / double(frames)) / std::sqrt(samples_per_pixel);
+    const glm::dvec2 pixels = (halton_point(frame) - sum / double(frames)) / double(samples_per_pixel);
     return pixels / glm::dvec2(resolution.width, resolution.height);
 }
 

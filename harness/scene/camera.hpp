@@ -35,10 +35,11 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
-/// The shift of a frame of a still sequence of `frames`, at most half a pixel or so: of their Halton points to the bases
+/// The shift of a frame of a still sequence of `frames`, at most half a pixel: of their Halton points to the bases
 /// 2 and 3, from the first one on, those less their mean, so that a sequence's mean picture lies where one without a
-/// shift does (engines take ½ from each: of 16 points 0.05 pixels apart). Where each pixel has several samples, which
-/// fill it already, frames fill what is between them: they are as many times nearer as samples lie along a side.
+/// shift does (engines take ½ from each: of 16 points 0.05 pixels apart). Of several samples, each of which has a row
+/// and a column of its pixel to itself, each stays in them: the shift is as many times shorter, and no sample leaves
+/// its pixel.
 glm::dvec2 frame_shift(int frame, int frames, Resolution resolution, int samples_per_pixel = 1);
 
 /// Orthonormal; for perspective `eye` = distance·(sinθ·cosφ, sinθ·sinφ, cosθ), looking at the origin. For parallel

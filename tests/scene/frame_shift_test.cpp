@@ -32,9 +32,9 @@ TEST(FrameShift, IsHaltonsSequenceAboutItsMean) {
     }
 }
 
-TEST(FrameShift, GoesBetweenTheSamplesOfAPixelThatHasSeveral) {
+TEST(FrameShift, LeavesEachOfSeveralSamplesInItsRowAndColumnOfThePixel) {
     for (int frame = 0; frame < 4; ++frame)
-        EXPECT_EQ(frame_shift(frame, 4, resolution, 4), frame_shift(frame, 4, resolution) / 2.0);
+        EXPECT_EQ(frame_shift(frame, 4, resolution, 4), frame_shift(frame, 4, resolution) / 4.0);
 }
 
 TEST(FrameShift, OfOneFrameIsNone) {
