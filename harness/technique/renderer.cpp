@@ -2,7 +2,6 @@
 
 #include "core/error.hpp"
 #include "gpu/commands.hpp"
-#include "gpu/recording.hpp"
 #include "gpu/timers.hpp"
 #include "scene/picture_mean.hpp"
 #include "technique/base_on_device.hpp"
@@ -13,6 +12,7 @@
 #include "technique/program.hpp"
 #include "technique/scene_textures.hpp"
 #include "technique/scene_uniforms.hpp"
+#include "technique/timed_recording.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -64,37 +64,6 @@ void show_object(Probe& probe, const TimedPicture& picture) {
         if (colour[3] > 0) probe.front->texels[i] = colour[3] == object_alpha ? Front::object : Front::relief;
     }
 }
-
-/// The commands that time a draw.
-struct TimedRecording {
-    TimedRecording(const gpu::Device& device, const Draw& draw, const std::string& what, int samples_in_all,
-                   int repeats_each)
-        : samples(samples_in_all),
-          repeats(repeats_each),
-          timestamps(device, static_cast<std::uint32_t>(samples)),
-          recording(
-              device, what, [&](const vk::raii::CommandBuffer& commands) { record(commands, draw); },
-              samples_in_all * repeats_each) {}
-
-    void record(const vk::raii::CommandBuffer& commands, const Draw& draw) const {
-        assert(samples > 0 && repeats > 0);
-        timestamps.reset(commands);
-        draw.begin(commands);
-        for (int sample = 0; sample < samples; ++sample) {
-            timestamps.start(commands, static_cast<std::uint32_t>(sample));
-            for (int repeat = 0; repeat < repeats; ++repeat) {
-                if (repeat > 0) gpu::full_barrier(commands);
-                draw.record(commands);
-            }
-            timestamps.end(commands, static_cast<std::uint32_t>(sample));
-        }
-    }
-
-    int samples;
-    int repeats;
-    gpu::Timestamps timestamps;
-    gpu::Recording recording;
-};
 
 }  // namespace
 
