@@ -131,6 +131,7 @@ std::string markdown_of(const ListTable& table) {
 
 /// One entry a line.
 std::string lines_of_json(const Json& entries) {
+    if (entries.empty()) return "[]\n";
     std::vector<std::string> lines;
     for (const Json& entry : entries)
         lines.push_back("  " + entry.dump());
@@ -194,6 +195,41 @@ ExitCode list_bases(const std::string& format) {
     return ExitCode::done;
 }
 
+std::string parameters_text(const ParameterValues& values) {
+    std::vector<std::string> parts;
+    for (const auto& [name, value] : values)
+        parts.push_back(name + '=' + to_string(value));
+    return join(parts, " ");
+}
+
+Json preset_json(const Manifest& manifest, const Preset& preset) {
+    Json json{{"preset", preset.name}, {"technique", manifest.id}};
+    json.update(to_json(preset));
+    return json;
+}
+
+ExitCode list_presets(const TechniqueOptions& options, const std::string& format) {
+    ListTable table{.titles = {"Preset", "Technique", "Of", "Parameters", "Source", "Not expressed"},
+                    .rows = {},
+                    .code_columns = 2,
+                    .note =
+                        "in a configuration {\"technique\": ..., \"preset\": ...}, on the command line -a preset=...; "
+                        "--format json has sources and what no parameter expresses\n"};
+    Json presets = Json::array();
+    for (const Technique& technique : options.find().techniques) {
+        const Manifest& manifest = technique.manifest;
+        for (const Preset& preset : manifest.presets) {
+            std::vector<std::string> row{preset.name, manifest.id, preset.title, parameters_text(preset.parameters)};
+            // Long lines, which no terminal shows side by side.
+            if (format != "table") row.insert(row.end(), {preset.source, preset.not_expressed});
+            table.rows.push_back(std::move(row));
+            presets.push_back(preset_json(manifest, preset));
+        }
+    }
+    print_list(table, presets, format);
+    return ExitCode::done;
+}
+
 /// A list of its own with `--format`.
 void add_formatted_list(CLI::App& list, ChosenCommand& chosen, const std::string& name, const std::string& help,
                         ExitCode (*print)(const std::string& format)) {
@@ -230,6 +266,18 @@ void add_list_command(CLI::App& app, ChosenCommand& chosen) {
     add_formatted_list(*list, chosen, "axes", "Axes of a sweep: name, unit, default, values, meaning", list_axes);
     add_formatted_list(*list, chosen, "bases", "Bases that the relief may lie on: name, axes, limits, meaning",
                        list_bases);
+    const auto library = std::make_shared<TechniqueOptions>();
+    const auto preset_format = std::make_shared<std::string>("table");
+    CLI::App* presets = list->add_subcommand(
+        "presets", "Settings of engines and publications: name, technique, whose, parameters, source");
+    library->add_to(*presets);
+    presets->add_option("--format", *preset_format, "How to write the list; default: table")
+        ->type_name(join(list_format_names(), "|"));
+    presets->footer("Example: reliefbench list presets --format json\n");
+    presets->callback([&chosen, library, preset_format] {
+        chosen = [library, preset_format] { return list_presets(*library, *preset_format); };
+    });
+
     add_formatted_list(*list, chosen, "figures",
                        "Figures of a cell: name in its files, unit, which way is better, what it needs, label",
                        list_figures);

@@ -69,7 +69,9 @@ Json recorded_defaults(const Json& record, const std::filesystem::path& file) {
     std::error_code ignored;
     const bool has_folder = file.filename() == "run.json" && std::filesystem::is_regular_file(file, ignored);
     if (!record.contains("defaults") && has_folder) run.cells = read_first_cells(file.parent_path());
-    return defaults_of(run);
+    Json recorded = defaults_of(run);
+    if (record.contains("presets")) recorded["presets"] = record.at("presets");
+    return recorded;
 }
 
 /// Of techniques that have a cell.

@@ -61,6 +61,7 @@ std::string common_id(const CellResult& cell, const Json& defaults, const Json& 
         if (!object->is_object()) return {};
     }
     std::string technique = cell.technique;
+    if (!cell.preset.empty()) technique += " preset=" + cell.preset;
     append_members(technique, cell.parameters, parameters, value_at(own, {"parameters", cell.technique.c_str()}));
     std::string view;
     append_members(view, cell.axes, axes, value_at(own, {"axes"}));

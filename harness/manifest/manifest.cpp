@@ -51,14 +51,15 @@ ParameterValues Manifest::defaults() const {
     return values;
 }
 
-void set_sample_count(const Manifest& manifest, ParameterValues& values, std::int64_t count) {
+void set_sample_count(const Manifest& manifest, ParameterValues& values, std::int64_t count,
+                      const ParameterValues& from) {
     assert(manifest.sample_count);
     values[*manifest.sample_count] = count;
     if (!manifest.sample_count_minimum) return;
-    const auto default_of = [&](const std::string& name) {
-        return static_cast<double>(std::get<std::int64_t>(manifest.find_parameter(name)->default_value));
+    const auto number = [&](const std::string& name) {
+        return static_cast<double>(std::get<std::int64_t>(from.at(name)));
     };
-    const double ratio = default_of(*manifest.sample_count_minimum) / default_of(*manifest.sample_count);
+    const double ratio = number(*manifest.sample_count_minimum) / number(*manifest.sample_count);
     values[*manifest.sample_count_minimum] =
         std::max<std::int64_t>(1, std::llround(static_cast<double>(count) * ratio));
 }

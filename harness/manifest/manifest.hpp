@@ -2,6 +2,7 @@
 
 #include "core/json.hpp"
 #include "manifest/parameter.hpp"
+#include "manifest/preset.hpp"
 #include "manifest/shape.hpp"
 
 #include <filesystem>
@@ -119,7 +120,8 @@ enum class ShadowSearch {
 /// Contract 1 is that of version 0.1.0, 2 that of version 0.2.0.
 inline constexpr int newest_contract = 2;
 
-/// The pass of the harness that makes mips of albedo and normals where cells filter them: no technique has one of that name.
+/// The pass of the harness that makes mips of albedo and normals where cells filter them: no technique has one of that
+/// name.
 inline constexpr const char* material_mips_pass = "material_mips";
 
 /// technique.json, read and checked. Pure data. Its schema is told in docs/adding_a_technique.md.
@@ -150,6 +152,7 @@ struct Manifest {
     /// Of the shape quad.
     ShadowSearch shadow_search = ShadowSearch::uniform_layers;
     std::vector<PromiseDeclaration> promises;
+    std::vector<Preset> presets = {};
 
     const Parameter* find_parameter(const std::string& name) const;
     ParameterValues defaults() const;
@@ -173,8 +176,9 @@ Manifest load_manifest(const std::filesystem::path& folder, const std::filesyste
 /// draws alike is alike.
 void reset_idle(const Manifest& manifest, ParameterValues& values, bool on_flat_base);
 
-/// Sets the sample count to `count`, and the adaptive minimum to round(count · its default ratio), at least 1.
-/// The manifest must have a sample count. Ranges are not checked.
-void set_sample_count(const Manifest& manifest, ParameterValues& values, std::int64_t count);
+/// Sets the sample count to `count`, and the adaptive minimum to round(count · the ratio that the two have in `from`),
+/// at least 1. The manifest must have a sample count. Ranges are not checked.
+void set_sample_count(const Manifest& manifest, ParameterValues& values, std::int64_t count,
+                      const ParameterValues& from);
 
 }  // namespace reliefbench

@@ -280,7 +280,7 @@ Manifest parse_manifest(const Json& json, const std::string& id, const std::stri
     const JsonView view(json, file);
     view.require_only({"title", "contract", "kind", "citation", "include", "parameters", "sample_count",
                        "sample_count_minimum", "search_cap", "features", "needs", "maps", "passes", "shape",
-                       "shadow_search", "promises"});
+                       "shadow_search", "promises", "presets"});
     Manifest manifest;
     manifest.id = id;
     manifest.title = parse_line(view.at("title"));
@@ -313,6 +313,7 @@ Manifest parse_manifest(const Json& json, const std::string& id, const std::stri
     for (const JsonView& item : view.at("promises").items()) {
         manifest.promises.push_back(parse_promise(item, manifest));
     }
+    if (view.has("presets")) manifest.presets = parse_presets(view.at("presets"), manifest);
     return manifest;
 }
 

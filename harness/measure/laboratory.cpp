@@ -185,6 +185,7 @@ CellResult blank_result(const Cell& cell) {
     CellResult result;
     result.cell = cell.id;
     result.technique = cell.technique;
+    result.preset = cell.preset;
     result.axes = axes_to_json(cell.view);
     result.parameters = parameters_to_json(cell.parameters);
     return result;

@@ -61,6 +61,17 @@ Json defaults_record(const TechniqueLibrary& library, const std::vector<Cell>& c
     return {{"parameters", std::move(parameters)}, {"axes", std::move(axes)}};
 }
 
+/// Of the cells' presets by technique and name, what they are: a run explains itself without the library.
+Json preset_records(const TechniqueLibrary& library, const std::vector<Cell>& cells) {
+    Json json;
+    for (const Cell& cell : cells) {
+        if (cell.preset.empty()) continue;
+        Json& record = json[cell.technique][cell.preset];
+        if (record.is_null()) record = to_json(*find_preset(library.get(cell.technique).manifest, cell.preset));
+    }
+    return json;
+}
+
 Json height_map_records(const std::vector<HeightMapRecord>& maps) {
     Json json = Json::array();
     for (const HeightMapRecord& map : maps) {
@@ -111,6 +122,8 @@ Json make_run_record(const RunSubject& subject) {
     record["shaders"] = hash_shared_shaders(shader_root());
     record["source_hashes"] = hashes_of_included_files;
     record["defaults"] = defaults_record(subject.library, subject.cells);
+    if (Json presets = preset_records(subject.library, subject.cells); !presets.is_null())
+        record["presets"] = std::move(presets);
     record["height_maps"] = height_map_records(subject.height_maps);
     if (Json bases = inspect_bases(subject.cells); !bases.empty()) record["bases"] = std::move(bases);
     record["empty_pass"] = empty_pass_record(subject.device);

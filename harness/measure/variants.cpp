@@ -291,8 +291,10 @@ std::string missing_in_baseline(const Cell& cell, const TechniqueLibrary& base, 
         const std::string problem = check_parameter_value(*parameter, value);
         if (!problem.empty()) return fmt::format("the baseline does not take {}={}: {}", name, value_text, problem);
     }
+    // Without the preset's name, which says nothing that the values do not.
     const std::string id = cell_id(manifest, baseline_cell(cell, manifest).parameters, cell.view);
-    if (id != cell.id) return fmt::format("a default has changed: in the baseline this cell is '{}'", id);
+    if (id != cell_id(changed.get(cell.technique).manifest, cell.parameters, cell.view))
+        return fmt::format("a default has changed: in the baseline this cell is '{}'", id);
     return {};
 }
 

@@ -236,6 +236,7 @@ Json to_json(const CellResult& result) {
     Json json;
     json["cell"] = result.cell;
     json["technique"] = result.technique;
+    if (!result.preset.empty()) json["preset"] = result.preset;
     json["axes"] = result.axes.is_null() ? Json::object() : result.axes;
     json["parameters"] = result.parameters.is_null() ? Json::object() : result.parameters;
     json["status"] = status_names[static_cast<std::size_t>(result.status)];
@@ -272,6 +273,7 @@ CellResult parse_cell_result(const Json& json, const std::string& file, const st
     CellResult result(list);
     result.cell = view.at("cell").string();
     result.technique = view.at("technique").string();
+    if (view.has("preset")) result.preset = view.at("preset").string();
     result.axes = read_object(view.at("axes"));
     result.parameters = read_object(view.at(parameters));
     result.status = static_cast<CellStatus>(view.at("status").choice(status_names));

@@ -26,6 +26,8 @@ struct CellResult : CellTimes {
 
     std::string cell;
     std::string technique;
+    /// Of the technique (Cell::preset); empty without one.
+    std::string preset;
     Json axes;
     Json parameters;
     CellStatus status = CellStatus::ok;

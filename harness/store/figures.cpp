@@ -94,8 +94,9 @@ bool is_error(const FigureDeclaration& figure) {
 }
 
 const std::vector<std::string>& keys_beside_figures() {
-    static const std::vector<std::string> keys = {"cell",   "technique", "axes",     "params",     "parameters",
-                                                  "status", "reason",    "pipeline", "executable", "forced_resume"};
+    static const std::vector<std::string> keys = {"cell",     "technique",  "preset",       "axes",
+                                                  "params",   "parameters", "status",       "reason",
+                                                  "pipeline", "executable", "forced_resume"};
     return keys;
 }
 

@@ -82,6 +82,14 @@ void add_defaults(Json& all, const NamedRun& run) {
         all["defaults"]["parameters"][technique] = values;
 }
 
+/// As each shard records those of its own cells.
+void add_presets(Json& all, const NamedRun& run) {
+    const Json techniques = value_at(run.run.run, {"presets"});
+    if (!techniques.is_object()) return;
+    for (const auto& [technique, presets] : techniques.items())
+        all["presets"][technique].update(presets);
+}
+
 void require_same_run(const NamedRun& first, const NamedRun& other) {
     const std::vector<std::string> differences =
         resume_differences(comparable(first.run.run), comparable(other.run.run));
@@ -169,6 +177,7 @@ MergedRun merge_runs(std::vector<NamedRun> shards, std::span<const PlannedCell> 
         add_inputs(bases, run, "bases", "base", {"name", "base_fit"});
         add_techniques(techniques, run);
         add_defaults(merged.run.run, run);
+        add_presets(merged.run.run, run);
         merged.run.run["merged"].push_back(part_record(run));
         for (CellResult& cell : run.run.cells) {
             seen.add_cell(cell.cell, run.name);

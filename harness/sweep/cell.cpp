@@ -22,11 +22,15 @@ Json parameters_to_json(const ParameterValues& values) {
     return parameters;
 }
 
-std::string technique_id(const Manifest& manifest, const ParameterValues& values) {
+std::string technique_id(const Manifest& manifest, const ParameterValues& values, const Preset* preset) {
     std::string id = manifest.id;
+    if (preset != nullptr) id += " preset=" + preset->name;
+    const ParameterValues expected = values_of_preset(manifest, preset);
     for (const Parameter& parameter : manifest.parameters) {
         const auto value = values.find(parameter.name);
-        if (value == values.end() || value->second == parameter.default_value) continue;
+        if (value == values.end() || value->second == expected.at(parameter.name)) continue;
+        // Of a preset whose other values make it idle: it is at its default, and says nothing.
+        if (value->second == parameter.default_value && !has_effect(parameter, values, true)) continue;
         id += ' ' + parameter.name + '=' + to_string(value->second);
     }
     return id;

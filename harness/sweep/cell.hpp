@@ -23,11 +23,13 @@ struct ViewKey {
 
 /// One point of the matrix.
 struct Cell {
-    /// Technique, parameters and axes only; never order, path or machine. Values at their defaults are left out, so
-    /// that a new axis or parameter with a neutral default leaves ids alone:
+    /// Technique, preset, parameters and axes only; never order, path or machine. Values at their defaults, or at those
+    /// of the preset, are left out, so that a new axis or parameter with a neutral default leaves ids alone:
     /// "pom max_steps=16 | heightmap=bricks view_angle=60".
     std::string id;
     std::string technique;
+    /// Whose values those are that nothing else sets; empty: the technique's defaults.
+    std::string preset = {};
     ParameterValues parameters;
     ViewKey view;
     /// Not empty: the cell is skipped from the start, for this reason.
@@ -38,10 +40,10 @@ struct Cell {
 Json axes_to_json(const ViewKey& view);
 Json parameters_to_json(const ParameterValues& values);
 
-/// The technique's part of an id: "pom max_steps=16".
-std::string technique_id(const Manifest& manifest, const ParameterValues& values);
+/// The technique's part of an id: "pom max_steps=16", "pom preset=godot_4 max_steps=16". `preset` may be null.
+std::string technique_id(const Manifest& manifest, const ParameterValues& values, const Preset* preset = nullptr);
 
-/// The stable id; see Cell::id.
+/// The stable id of a cell without a preset; see Cell::id.
 std::string cell_id(const Manifest& manifest, const ParameterValues& values, const ViewKey& view);
 
 /// Whole views, at most `max_cells` cells (a view with more is split): what is measured together. Indices into the

@@ -63,8 +63,17 @@ ManifestIndex index_manifests(const std::vector<Manifest>& manifests) {
     return index;
 }
 
+std::vector<std::string> preset_names(const ManifestIndex& manifests) {
+    std::vector<std::string> names;
+    for (const auto& [id, manifest] : manifests) {
+        for (const Preset& preset : manifest->presets)
+            names.push_back(preset.name);
+    }
+    return names;
+}
+
 std::vector<std::string> quantity_names(const ManifestIndex& manifests) {
-    std::vector<std::string> names{"technique"};
+    std::vector<std::string> names{"technique", "preset"};
     for (const ViewAxis& axis : view_axes())
         names.push_back(axis.name);
     names.push_back("sample_count");
@@ -80,8 +89,9 @@ std::vector<std::string> quantity_names(const ManifestIndex& manifests) {
 void check_quantity_name(const JsonView& where, const std::string& name, const ManifestIndex& manifests) {
     const std::vector<std::string> known = quantity_names(manifests);
     if (std::ranges::find(known, name) != known.end()) return;
-    where.fail_here(fmt::format("'{}' is neither \"technique\", nor an axis, nor a parameter of any technique{}", name,
-                                suggest_quantity(name, known)));
+    where.fail_here(
+        fmt::format("'{}' is neither \"technique\" or \"preset\", nor an axis, nor a parameter of any technique{}",
+                    name, suggest_quantity(name, known)));
 }
 
 std::string suggest_quantity(const std::string& name, const std::vector<std::string>& known) {
@@ -104,6 +114,7 @@ std::string suggest_quantity(const std::string& name, const std::vector<std::str
 
 Json cell_quantity(const Cell& cell, const std::string& name, const ManifestIndex& manifests) {
     if (name == "technique") return cell.technique;
+    if (name == "preset") return cell.preset.empty() ? Json() : Json(cell.preset);
     if (const ViewAxis* axis = find_view_axis(name)) return axis->value(cell.view);
     std::string parameter = name;
     if (name == "sample_count") {
@@ -149,6 +160,13 @@ Json read_quantity_value(const JsonView& view, const std::string& name, const Ma
         if (manifests.contains(id)) return id;
         view.fail_here(fmt::format("unknown technique '{}'{}; known are {}", id, did_you_mean(id, ids(manifests)),
                                    join(ids(manifests))));
+    }
+    if (name == "preset") {
+        const std::string preset = view.string();
+        const std::vector<std::string> known = preset_names(manifests);
+        if (std::ranges::find(known, preset) != known.end()) return preset;
+        view.fail_here(
+            fmt::format("unknown preset '{}'{}; see `reliefbench list presets`", preset, did_you_mean(preset, known)));
     }
     if (name == "sample_count") return view.integer(1, std::numeric_limits<std::int32_t>::max());
     if (const ViewAxis* axis = find_view_axis(name)) return read_view_value(view, *axis);

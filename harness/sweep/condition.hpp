@@ -15,15 +15,18 @@ using ManifestIndex = std::map<std::string, const Manifest*>;
 
 ManifestIndex index_manifests(const std::vector<Manifest>& manifests);
 
-/// What can be asked of a cell: its technique, an axis of its view, its sample count or a parameter. An unknown name is
-/// an Error with a "did you mean".
+/// What can be asked of a cell: its technique, its preset, an axis of its view, its sample count or a parameter. An
+/// unknown name is an Error with a "did you mean".
 void check_quantity_name(const JsonView& where, const std::string& name, const ManifestIndex& manifests);
 
 /// For a name that is none of `known`: " (did you mean 'x'?)" by its spelling, else what other words for it are called
 /// here, where a setting that is no axis stands, or the list of axes.
 std::string suggest_quantity(const std::string& name, const std::vector<std::string>& known);
 
-/// "technique", the axes of the view, "sample_count" and every parameter of the manifests.
+/// Of all techniques.
+std::vector<std::string> preset_names(const ManifestIndex& manifests);
+
+/// "technique", "preset", the axes of the view, "sample_count" and every parameter of the manifests.
 std::vector<std::string> quantity_names(const ManifestIndex& manifests);
 
 /// Null where the cell has no such quantity.

@@ -63,8 +63,8 @@ struct MotionSettings {
 
     /// The first is the cell's own view.
     int frames = 9;
-    /// Between neighbouring frames; 0, a still camera, with a history only. Along the view angle the camera goes towards
-    /// head-on, and beyond.
+    /// Between neighbouring frames; 0, a still camera, with a history only. Along the view angle the camera goes
+    /// towards head-on, and beyond.
     double degrees = 0.25;
     Along along = Along::view_angle;
     /// Of a history that is carried along, the fraction that a frame leaves of it, in [0, 1); empty: there is none.
@@ -93,6 +93,8 @@ struct TechniqueSelection {
     std::string technique;
     std::vector<std::pair<std::string, std::vector<ParameterValue>>> parameters;
     Origin origin = {};
+    /// Whose values each take the place of the technique's defaults in turn; empty: the defaults do.
+    std::vector<std::string> presets = {};
 };
 
 /// One swept quantity: name and raw values, checked by the expansion.
@@ -148,9 +150,9 @@ inline constexpr std::string_view standard_input = "standard input";
 /// `overrides` are "-a" arguments (sweep/override.hpp). They replace an axis, and take it out of its zip
 /// (warn_of_overrides tells of it); a parameter wherever it is set; `sample_count` also the sample counts set by name;
 /// `albedo` also those of height maps given as objects; and `technique=a,b` the selection, in which those selected
-/// before keep their parameters. Relative paths of height maps are taken from the configuration file's folder when they
-/// exist there, else from the working directory; those of overrides from the working directory. run.json of an earlier
-/// run is taken too.
+/// before keep their parameters; and `preset=a,b` the presets of the techniques that have them. Relative paths of
+/// height maps are taken from the configuration file's folder when they exist there, else from the working directory;
+/// those of overrides from the working directory. run.json of an earlier run is taken too.
 Configuration parse_configuration(const Json& json, const std::string& file, const std::vector<std::string>& overrides,
                                   const std::vector<Manifest>& techniques);
 /// The same with overrides that other options gave.
@@ -168,7 +170,7 @@ void set_sampling(Configuration& configuration, const std::vector<std::string>& 
 /// everyone, a parameter set by name out of its range. A swept `sample_count` or parameter out of one technique's
 /// range makes that cell skipped with the reason. No cell twice; no cell at all is an Error.
 /// Where several set one parameter, the technique's own values win, then an axis of the parameter's name, then
-/// `sample_count`.
+/// `sample_count`, then a preset.
 std::vector<Cell> expand(const Configuration& configuration, const std::vector<Manifest>& techniques);
 
 /// "--filter" expressions: "technique=pom,qdm", "view_angle=60", "max_steps>=16"; values as "-a" takes them

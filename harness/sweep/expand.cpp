@@ -59,7 +59,8 @@ bool is_set_by_name(const PlannedTechnique& technique, const std::string& parame
 /// Turns values of axes into the parameters of one technique.
 class Assigner {
 public:
-    Assigner(const Plan& plan, const PlannedTechnique& technique) : plan_(plan), technique_(technique) {
+    Assigner(const Plan& plan, const PlannedTechnique& technique)
+        : plan_(plan), technique_(technique), unswept_(values_of_preset(*technique.manifest, technique.preset)) {
         for (const PlannedAxis& axis : plan.axes)
             axis_names_.insert(axis.name);
     }
@@ -78,9 +79,9 @@ public:
         return std::ranges::any_of(group.axes, [&](std::size_t axis) { return is_affected_by(plan_.axes[axis]); });
     }
 
-    /// The defaults, changed by the axes; without the values set by name.
+    /// The defaults or the preset, changed by the axes; without the values set by name.
     Assignment assign(const GroupChoices& outer, const GroupChoices& inner) const {
-        Assignment assignment{&technique_, technique_.manifest->defaults(), {}, {}, {}};
+        Assignment assignment{&technique_, unswept_, {}, {}, {}};
         // The sample count first: an axis of the adaptive minimum's own name then replaces what follows from it.
         for (const bool sample_count : {true, false}) {
             for (const GroupChoices* choices : {&outer, &inner}) {
@@ -107,7 +108,7 @@ public:
         for (Assignment& assignment : named) {
             reset_idle(*technique_.manifest, assignment.values, on_flat_base);
             assignment.skip_reason = complain_of_swept_values(assignment);
-            assignment.id = technique_id(*technique_.manifest, assignment.values);
+            assignment.id = technique_id(*technique_.manifest, assignment.values, technique_.preset);
             assignments.push_back(std::move(assignment));
         }
     }
@@ -120,7 +121,7 @@ private:
             if ((axis.name == "sample_count") != sample_count || !is_affected_by(axis)) continue;
             const Json& value = axis.values[choice.index];
             if (sample_count) {
-                set_sample_count(manifest, assignment.values, value.get<std::int64_t>());
+                set_sample_count(manifest, assignment.values, value.get<std::int64_t>(), unswept_);
                 assignment.swept.push_back(*manifest.sample_count);
                 if (manifest.sample_count_minimum) assignment.swept.push_back(*manifest.sample_count_minimum);
             } else {
@@ -145,6 +146,7 @@ private:
 
     const Plan& plan_;
     const PlannedTechnique& technique_;
+    ParameterValues unswept_;
     std::unordered_set<std::string> axis_names_;
 };
 
@@ -286,6 +288,7 @@ public:
             Cell cell;
             cell.id = assignment.id + " | " + id;
             cell.technique = assignment.technique->manifest->id;
+            if (assignment.technique->preset != nullptr) cell.preset = assignment.technique->preset->name;
             cell.parameters = assignment.values;
             cell.view = view;
             cell.skip_reason = assignment.skip_reason.empty() ? problem : assignment.skip_reason;

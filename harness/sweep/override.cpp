@@ -17,7 +17,7 @@ constexpr double largest_exact_integer = 9007199254740992;
 
 /// Names and paths, which are no numbers though they may look like one.
 bool takes_words(const std::string& name) {
-    return name == "technique" || name == "heightmap" || name == "albedo";
+    return name == "technique" || name == "preset" || name == "heightmap" || name == "albedo";
 }
 
 /// 0.1 + 2·0.1 as 0.3: without the last digits, which would make ids of their own.

@@ -49,6 +49,10 @@ TechniqueSelection read_selection(const JsonView& view, const ManifestIndex& man
     const JsonView id = view.at("technique");
     const Manifest& manifest = require_technique(manifests, id.string(), id);
     selection.technique = manifest.id;
+    if (view.has("preset")) {
+        for (const JsonView& preset : one_or_more(view.at("preset")))
+            selection.presets.push_back(require_preset(manifest, preset.string(), manifests, preset).name);
+    }
     if (!view.has("parameters")) return selection;
     for (const auto& [name, values] : view.at("parameters").members()) {
         const Parameter& parameter = require_parameter(manifest, name, values);
@@ -142,6 +146,28 @@ void override_techniques(const Override& given, Configuration& configuration, co
     configuration.techniques = std::move(selected);
 }
 
+/// "preset=a,b": each for the techniques selected that have it, in place of their presets; the others stay as they are.
+void override_presets(const Override& given, Configuration& configuration, const ManifestIndex& manifests) {
+    std::map<std::string, std::vector<std::string>> chosen;
+    for (const Json& value : given.values) {
+        const JsonView view(value, given.argument, given.name);
+        const std::string name = view.string();
+        bool is_taken = false;
+        for (const TechniqueSelection& selection : configuration.techniques) {
+            if (find_preset(*manifests.at(selection.technique), name) == nullptr) continue;
+            is_taken = true;
+            std::vector<std::string>& names = chosen[selection.technique];
+            if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+        }
+        // Says what is wrong with it.
+        if (!is_taken) require_preset(*manifests.at(configuration.techniques.front().technique), name, manifests, view);
+    }
+    for (TechniqueSelection& selection : configuration.techniques) {
+        const auto presets = chosen.find(selection.technique);
+        if (presets != chosen.end()) selection.presets = presets->second;
+    }
+}
+
 /// The values hold for all that the axes were tied to; a zip of one axis ties nothing.
 void untie(const std::vector<Override>& overrides, Configuration& configuration) {
     for (std::vector<std::string>& names : configuration.zip) {
@@ -202,10 +228,13 @@ void apply_overrides(const std::vector<Override>& parsed, Configuration& configu
     for (const Override& given : parsed) {
         if (given.name == "technique") override_techniques(given, configuration, manifests);
     }
+    for (const Override& given : parsed) {
+        if (given.name == "preset") override_presets(given, configuration, manifests);
+    }
     // Then albedos, which take the place of the configuration's height maps' own, but not of those given beside them.
     const auto override_axes = [&](bool albedos) {
         for (const Override& given : parsed) {
-            if (given.name != "technique" && (given.name == "albedo") == albedos)
+            if (given.name != "technique" && given.name != "preset" && (given.name == "albedo") == albedos)
                 override_axis(given, configuration, manifests);
         }
     };
@@ -217,6 +246,7 @@ void apply_overrides(const std::vector<Override>& parsed, Configuration& configu
 Json selection_json(const TechniqueSelection& selection) {
     Json json = Json::object();
     json["technique"] = selection.technique;
+    if (!selection.presets.empty()) json["preset"] = selection.presets;
     for (const auto& [name, values] : selection.parameters) {
         for (const ParameterValue& value : values)
             json["parameters"][name].push_back(to_json(value));
@@ -284,7 +314,7 @@ const std::vector<std::string>& top() {
 }
 
 const std::vector<std::string>& technique() {
-    static const std::vector<std::string> keys{"technique", "parameters"};
+    static const std::vector<std::string> keys{"technique", "preset", "parameters"};
     return keys;
 }
 

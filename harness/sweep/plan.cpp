@@ -228,6 +228,19 @@ const Parameter& require_parameter(const Manifest& manifest, const std::string& 
                                 did_you_mean(name, known), known.empty() ? "none" : join(known)));
 }
 
+const Preset& require_preset(const Manifest& manifest, const std::string& name, const ManifestIndex& manifests,
+                             const JsonView& where) {
+    if (const Preset* preset = find_preset(manifest, name)) return *preset;
+    for (const auto& [id, other] : manifests) {
+        if (find_preset(*other, name) == nullptr) continue;
+        where.fail_here(fmt::format("'{}' is a preset of the technique {}, not of {}; select it with that one", name,
+                                    id, manifest.id));
+    }
+    const std::vector<std::string> known = preset_names(manifests);
+    where.fail_here(
+        fmt::format("unknown preset '{}'{}; see `reliefbench list presets`", name, did_you_mean(name, known)));
+}
+
 ParameterValue axis_parameter_value(const Parameter& parameter, const Json& value) {
     return parameter_value_from_json(parameter, value).value_or(std::string());
 }
@@ -249,7 +262,10 @@ Plan plan_sweep(const Configuration& configuration, const std::vector<Manifest>&
                 if (!complaint.empty()) where.fail_here(complaint);
             }
         }
-        plan.techniques.push_back({&manifest, &selection});
+        if (selection.presets.empty()) plan.techniques.push_back({&manifest, &selection, nullptr});
+        for (const std::string& preset : selection.presets)
+            plan.techniques.push_back(
+                {&manifest, &selection, &require_preset(manifest, preset, plan.manifests, where)});
     }
     plan_axes(configuration, plan);
     plan_groups(configuration, plan);

@@ -32,6 +32,8 @@ struct AxisGroup {
 struct PlannedTechnique {
     const Manifest* manifest = nullptr;
     const TechniqueSelection* selection = nullptr;
+    /// Null without.
+    const Preset* preset = nullptr;
 };
 
 /// Quantities and values, all of which must hold for a cell to be dropped.
@@ -55,6 +57,10 @@ const Manifest& require_technique(const ManifestIndex& manifests, const std::str
 
 /// The parameter of the technique; an unknown one is an Error with a "did you mean".
 const Parameter& require_parameter(const Manifest& manifest, const std::string& name, const JsonView& where);
+
+/// The preset of the technique; an unknown one, or one of another technique, is an Error that says so.
+const Preset& require_preset(const Manifest& manifest, const std::string& name, const ManifestIndex& manifests,
+                             const JsonView& where);
 
 /// The value of an axis that sets a parameter, as the technique's type.
 ParameterValue axis_parameter_value(const Parameter& parameter, const Json& value);

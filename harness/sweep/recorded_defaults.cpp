@@ -34,16 +34,44 @@ private:
     std::set<std::string> names_;
 };
 
-void set_parameters(Json& selection, const SetNames& set, const Json& recorded, const Manifest& manifest,
-                    std::vector<ChangedDefault>& changes) {
+/// Without a preset where `preset` is null; `recorded` is of the technique's defaults.
+void set_parameters(Json& selection, const SetNames& set, const Json& recorded, const Json& recorded_preset,
+                    const Manifest& manifest, const Preset* preset, std::vector<ChangedDefault>& changes) {
+    const ParameterValues values = values_of_preset(manifest, preset);
     for (const Parameter& parameter : manifest.parameters) {
-        const Json then = value_at(recorded, {parameter.name.c_str()});
-        const Json now = to_json(parameter.default_value);
+        const Json of_preset = value_at(recorded_preset, {parameter.name.c_str()});
+        const Json then = of_preset.is_null() ? value_at(recorded, {parameter.name.c_str()}) : of_preset;
+        const Json now = to_json(values.at(parameter.name));
         if (then.is_null() || then == now || set.has_parameter(manifest, parameter.name, selection)) continue;
         selection["parameters"][parameter.name] = then;
-        changes.push_back({manifest.id, fmt::format("{}: {}={}, which is {} by default now", manifest.id,
-                                                    parameter.name, scalar_text(then), scalar_text(now))});
+        const std::string whose = preset == nullptr ? "by default" : fmt::format("in the preset {}", preset->name);
+        changes.push_back({manifest.id, fmt::format("{}: {}={}, which is {} {} now", manifest.id, parameter.name,
+                                                    scalar_text(then), scalar_text(now), whose)});
     }
+}
+
+/// Of an entry of "techniques"; each of several presets gets one of its own where one has changed.
+std::vector<Json> with_parameters(const Json& selection, const SetNames& set, const Json& defaults,
+                                  const Manifest& manifest, std::vector<ChangedDefault>& changes) {
+    const Json recorded = value_at(defaults, {"parameters", manifest.id.c_str()});
+    const std::size_t changes_before = changes.size();
+    std::vector<Json> selections;
+    Json names = value_at(selection, {"preset"});
+    if (!names.is_array()) names = Json::array({names});
+    for (const Json& name : names) {
+        selections.push_back(selection);
+        const Preset* const preset = name.is_string() ? find_preset(manifest, name.get<std::string>()) : nullptr;
+        // One that there is no more is complained of by who reads it.
+        if (preset == nullptr && !name.is_null()) continue;
+        if (preset != nullptr) selections.back()["preset"] = preset->name;
+        const Json of_preset =
+            preset == nullptr
+                ? Json()
+                : value_at(defaults, {"presets", manifest.id.c_str(), preset->name.c_str(), "parameters"});
+        set_parameters(selections.back(), set, recorded, of_preset, manifest, preset, changes);
+    }
+    if (changes.size() == changes_before) return {selection};
+    return selections;
 }
 
 void set_axes(Json& axes, const SetNames& set, const Json& recorded, std::vector<ChangedDefault>& changes) {
@@ -71,14 +99,20 @@ RepeatedConfiguration with_recorded_defaults(Json configuration, const Json& def
         return repeated;
     }
     const SetNames set(*axes, overridden);
-    for (Json& selection : *techniques) {
+    std::vector<Json> selections;
+    for (const Json& selection : *techniques) {
         const Json id = value_at(selection, {"technique"});
         const auto manifest = std::ranges::find_if(manifests, [&](const Manifest& each) { return id == each.id; });
-        if (manifest == manifests.end()) continue;
+        if (manifest == manifests.end()) {
+            selections.push_back(selection);
+            continue;
+        }
         const Json recorded = value_at(defaults, {"parameters", manifest->id.c_str()});
         if (recorded.is_null() && !manifest->parameters.empty()) repeated.unknown.push_back(manifest->id);
-        set_parameters(selection, set, recorded, *manifest, repeated.changes);
+        std::ranges::move(with_parameters(selection, set, defaults, *manifest, repeated.changes),
+                          std::back_inserter(selections));
     }
+    *techniques = std::move(selections);
     set_axes(*axes, set, value_at(defaults, {"axes"}), repeated.changes);
     return repeated;
 }

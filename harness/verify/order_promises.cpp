@@ -54,7 +54,7 @@ std::vector<Circumstance> smooth_circumstances(Resolution size, double height_sc
 ParameterValues sampled_parameters(const Manifest& manifest, const PromiseDeclaration& declaration,
                                    const Sampling& sampling) {
     ParameterValues parameters = with_values(manifest, declaration.with);
-    set_sample_count(manifest, parameters, sampling.samples);
+    set_sample_count(manifest, parameters, sampling.samples, manifest.defaults());
     if (declaration.halvings) parameters.at(*declaration.halvings) = sampling.halvings;
     return parameters;
 }

@@ -135,12 +135,12 @@ TEST(Manifest, WhoseSearchCastsHardShadowsIsSaidAndOfContract1MayHangOnTheKind) 
 TEST(Manifest, TheSampleCountTakesTheAdaptiveMinimumAlong) {
     const Manifest manifest = parse(complete());
     ParameterValues values = manifest.defaults();
-    set_sample_count(manifest, values, 128);
+    set_sample_count(manifest, values, 128, manifest.defaults());
     EXPECT_EQ(values.at("max_steps"), ParameterValue(std::int64_t{128}));
     EXPECT_EQ(values.at("min_steps"), ParameterValue(std::int64_t{16}));
-    set_sample_count(manifest, values, 12);  // 12 · 8/64 = 1.5
+    set_sample_count(manifest, values, 12, manifest.defaults());  // 12 · 8/64 = 1.5
     EXPECT_EQ(values.at("min_steps"), ParameterValue(std::int64_t{2}));
-    set_sample_count(manifest, values, 1);
+    set_sample_count(manifest, values, 1, manifest.defaults());
     EXPECT_EQ(values.at("min_steps"), ParameterValue(std::int64_t{1}));
 }
 
