@@ -73,6 +73,45 @@ TEST_F(SilhouetteParameters, LimitTheSlopeOfRaysThatGraze) {
     }
 }
 
+/// 1 divides by nothing, 0 by N·V, as a straight ray does.
+TEST_F(SilhouetteParameters, DampTheDivisionByTheCosine) {
+    const View view = grazing_view();
+    const Ray ray = pixel_ray(view, 16, 16);
+    const double z = std::cos(view_angle * std::numbers::pi / 180);
+    const double xy = std::sin(view_angle * std::numbers::pi / 180);
+    for (const double damp : {0.0, 0.3, 1.0}) {
+        const Hit hit = probe(view, {{"grazing", std::string("damp")}, {"grazing_damping", damp}}).hits.at(16, 16);
+        EXPECT_NEAR(hit.v - entry(view).y, 0.7 * height_scale * xy / (z * (1 - damp) + damp), 1e-5) << damp;
+        EXPECT_NEAR(hit.h, 0.3, 1e-5);
+        const glm::dvec3 point = surface_point(view.relief, hit.u, hit.v, hit.h);
+        EXPECT_NEAR(hit.t, glm::dot(point - ray.origin, ray.direction), 1e-5) << damp;
+    }
+}
+
+/// The ray crosses 4·H·tanθ texels of the map, which are larger than pixels.
+TEST_F(SilhouetteParameters, FadeTheReliefWhereFewTexelsAreCrossed) {
+    const View view = grazing_view();
+    const double texels = 4 * height_scale * slope_;
+    const auto faded = [&](double begin, double end) {
+        return probe(
+            view,
+            {{"lod_fade", std::string("texels")}, {"lod_fade_begin_texels", begin}, {"lod_fade_end_texels", end}});
+    };
+    EXPECT_NEAR(faded(texels - 0.01, 0.1).hits.at(16, 16).h, 0.3, 1e-5);
+    EXPECT_NEAR(faded(texels + 0.5, texels - 0.5).hits.at(16, 16).h, 0.65, 1e-4);
+    const Probe gone = faded(9, texels + 0.01);
+    EXPECT_EQ(gone.hits.at(16, 16).h, 1);
+    EXPECT_EQ(gone.work.at(16, 16).steps, 0U);
+    View far = view;
+    far.relief.tiling = 64;  // 4·64/32: eight texels a pixel, so that of 281 texels 35 are left
+    EXPECT_NEAR(probe(far, {{"lod_fade", std::string("texels")},
+                            {"lod_fade_begin_texels", 8 * texels + 1},
+                            {"lod_fade_end_texels", 8 * texels - 1}})
+                    .hits.at(16, 16)
+                    .h,
+                0.65, 1e-3);
+}
+
 TEST_F(SilhouetteParameters, FadeTheReliefWhereRaysGraze) {
     const View view = grazing_view();
     const double cosine = std::cos(view_angle * std::numbers::pi / 180);

@@ -2,6 +2,8 @@
 
 #include "metrics/error_maps.hpp"
 
+#include <gmock/gmock.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -109,6 +111,58 @@ TEST_F(MarchParameters, LayersFollowTheTexelsCrossed) {
     }
 }
 
+/// In a relief of unit depth whose coordinates are the texture's the ray comes down at atan(H·tanθ).
+TEST_F(MarchParameters, LayersFollowTheAngleInTextureSpace) {
+    for (const double angle : {0.0, 60.0, 80.0, 86.0}) {
+        const double angle_in_uv = std::atan(0.1 * std::tan(angle * std::numbers::pi / 180));
+        const double layers = std::lerp(10, 51, angle_in_uv / (std::numbers::pi / 2));
+        EXPECT_EQ(
+            steps_through(parallel_view(angle), with(ten_to_fifty_one, {{"adaptive_by", std::string("uv_angle")}})),
+            std::floor(layers))
+            << angle;
+    }
+}
+
+TEST_F(MarchParameters, LayersFallWithTheDistance) {
+    const auto values = [](double end) {
+        return with(ten_to_fifty_one, {{"adaptive_by", std::string("distance")}, {"steps_end_distance", end}});
+    };
+    const View view = perspective_view(60, -70);
+    const Ray ray = pixel_ray(view, 40, 40);
+    const double distance = -ray.origin.z / ray.direction.z;
+    for (const double end : {100.0, 4.0, 2.5, 1.0}) {
+        EXPECT_EQ(steps_through(view, values(end)), std::max(10.0, std::floor(51 * (1 - distance / end)))) << end;
+    }
+    EXPECT_EQ(steps_through(parallel_view(60), values(1)), 51U) << "parallel rays come from no distance";
+}
+
+/// Of texels as wide as a pixel the ray crosses the fewer the farther away it is seen.
+TEST_F(MarchParameters, LayersFollowTheTexelsOfTheLevelRead) {
+    View view = parallel_view(60);
+    view.relief.tiling = 24;  // 16·24/96: four texels a pixel, level 2
+    const double texels = 0.1 * std::tan(std::numbers::pi / 3) * 16 * 24;
+    for (const std::string lod : {"entry", "gradients"}) {
+        ParameterValues values = with(ten_to_fifty_one, {{"adaptive_by", std::string("texels")}, {"height_lod", lod}});
+        EXPECT_EQ(steps_through(view, values), 51U) << lod;
+        values["texels_of"] = std::string("level_read");
+        EXPECT_EQ(steps_through(view, values), std::floor(texels / 4)) << lod;
+    }
+    EXPECT_EQ(steps_through(view, with(ten_to_fifty_one, {{"adaptive_by", std::string("texels")},
+                                                          {"height_lod", std::string("entry")},
+                                                          {"height_lod_bias", 1.0},
+                                                          {"texels_of", std::string("level_read")}})),
+              10U)
+        << "8.3 texels of level 3";
+}
+
+TEST_F(MarchParameters, CountsGoUpToMultiplesOfFour) {
+    const auto rounded = with(ten_to_fifty_one, {{"step_rounding", std::string("multiple_of_4")}});
+    EXPECT_EQ(steps_through(parallel_view(0), rounded), 12U) << "10";
+    EXPECT_EQ(steps_through(parallel_view(60), rounded), 32U) << "30.5";
+    const auto even = with(rounded, {{"min_steps", std::int64_t{8}}, {"max_steps", std::int64_t{8}}});
+    EXPECT_EQ(steps_through(parallel_view(60), even), 8U);
+}
+
 TEST_F(MarchParameters, FractionalCountsEndWithAThinnerLayer) {
     // At 60°, mix(51, 10, 1/2) = 30.5.
     EXPECT_EQ(steps_through(parallel_view(60), ten_to_fifty_one), 30U);
@@ -160,6 +214,31 @@ TEST_F(MarchParameters, HeightsAreReadAtTheLevelOfTheEntrysFootprint) {
     EXPECT_GT(highest - lowest, 0.5F) << "level 0 keeps the stripes";
 }
 
+/// Stripes as above, in pixels one texel wide and sixteen high.
+TEST_F(MarchParameters, TheLesserAxisOfTheFootprintReadsTheFinerLevel) {
+    const CoordinateScene stripes(device(), map_of({64, 64}, [](int x, int) { return x % 8 < 2 ? 1.0 : 0.2; }));
+    View view = repeating(parallel_view(60));
+    view.relief.tiling = 3;
+    view.resolution = {192, 12};
+    const auto heights = [&](const std::string& axis, double bias) {
+        std::vector<float> found;
+        const ParameterValues values{
+            {"height_lod", std::string("entry")}, {"height_lod_axis", axis}, {"height_lod_bias", bias}};
+        for (const Hit& hit : compare("pom", values, stripes, view).probe.hits.texels)
+            found.push_back(hit.h);
+        return found;
+    };
+    const std::vector<float> lesser = heights("lesser", 0);
+    const auto [lowest, highest] = std::ranges::minmax(lesser);
+    EXPECT_GT(highest - lowest, 0.5F) << "level 0";
+    // Derivatives are of single floats, so that the level is 0 but for their rounding.
+    EXPECT_THAT(heights("greater", -4), testing::Pointwise(testing::FloatNear(1e-5F), lesser)) << "log2 16 less";
+    for (const auto& mean : {heights("greater", 0), heights("lesser", 4)}) {
+        for (const float h : mean)
+            ASSERT_NEAR(h, 0.4, 2e-5);
+    }
+}
+
 /// Between levels, and where the side of the map is no power of two.
 TEST_F(MarchParameters, GradientsOfTheEntryAndOneLevelForAllStepsAgree) {
     const CoordinateScene rock(device(), procedural("rock", {100, 60}));
@@ -178,6 +257,73 @@ TEST_F(MarchParameters, GradientsOfTheEntryAndOneLevelForAllStepsAgree) {
     // Samplers approximate the logarithm that gives the level.
     EXPECT_LT(from_level, 0.1 * from_zero);
     EXPECT_GT(gradients.probe.work.at(40, 40).taps, 0U);
+}
+
+/// Over a base bent by hand, too, and with layers that are moved.
+TEST_F(MarchParameters, FourTapsAtATimeFindTheSameHits) {
+    const CoordinateScene rock(device(), procedural("rock", {96, 64}));
+    const View view = perspective_view(70, -70);
+    const std::vector<std::pair<std::string, ParameterValues>> marches{
+        {"steep", {}},
+        {"pom", {}},
+        {"secant", {{"max_steps", std::int64_t{13}}}},
+        {"relief", {{"start_offset", std::string("gradient_noise")}}},
+        {"contact_refinement", {{"adaptive", false}}},
+        {"pom", {{"hand_curvature", std::string("constant")}, {"curvature_along_u", 3.0}}}};
+    for (const auto& [technique, values] : marches) {
+        const Probe one = compare(technique, values, rock, view).probe;
+        const Probe four = compare(technique, with(values, {{"tap_batch", std::string("four")}}), rock, view).probe;
+        EXPECT_EQ(four.hits.texels, one.hits.texels) << technique;
+        int more = 0;
+        for (std::size_t i = 0; i < one.work.texels.size(); ++i) {
+            const int vain = int(four.work.texels[i].taps) - int(one.work.texels[i].taps);
+            ASSERT_GE(vain, 0) << technique;
+            ASSERT_LE(vain, 3) << technique;
+            ASSERT_EQ(four.work.texels[i].steps, one.work.texels[i].steps) << technique;
+            more += vain > 0 ? 1 : 0;
+        }
+        EXPECT_GT(more, 100) << technique;
+    }
+}
+
+TEST_F(MarchParameters, ASecantWithinItsToleranceIsTheAnswer) {
+    const CoordinateScene rock(device(), procedural("rock", {96, 64}));
+    const View view = repeating(perspective_view(60, -70));
+    const ParameterValues twenty{{"adaptive", false}, {"max_steps", std::int64_t{20}}};
+    const auto secants = [&](double tolerance) {
+        return compare("secant", with(twenty, {{"secant_steps", std::int64_t{40}}, {"secant_tolerance", tolerance}}),
+                       rock, view)
+            .probe;
+    };
+    EXPECT_EQ(secants(1).hits.texels, compare("pom", twenty, rock, view).probe.hits.texels)
+        << "the first chord, whatever it leaves";
+    const Probe ended = secants(0.01);
+    for (const Hit& hit : ended.hits.texels) {
+        // Sampler and processor differ by the weights' rounding.
+        if (!hit.is_hit()) continue;
+        ASSERT_NEAR(hit.h, rock.map.sample(hit.u, hit.v), 0.01 + 0.005);
+    }
+    const Probe on = secants(0);
+    std::uint64_t fewer = 0;
+    for (std::size_t i = 0; i < on.work.texels.size(); ++i) {
+        ASSERT_LE(ended.work.texels[i].taps, on.work.texels[i].taps);
+        fewer += on.work.texels[i].taps - ended.work.texels[i].taps;
+    }
+    EXPECT_GT(fewer, 2 * on.work.texels.size());
+}
+
+/// On a plane, which a layer only comes near.
+TEST_F(MarchParameters, ContactRefinementMayEndWithAChord) {
+    const CoordinateScene low(device(), map_of({16, 16}, [](int, int) { return 0.33; }));
+    const ParameterValues coarse{{"adaptive", false}, {"max_steps", std::int64_t{5}}};
+    const auto height = [&](const std::string& answer) {
+        return compare("contact_refinement", with(coarse, {{"contact_answer", answer}}), low,
+                       repeating(parallel_view(60)))
+            .probe.hits.at(40, 40)
+            .h;
+    };
+    EXPECT_NEAR(height("layer"), 0.32, 1e-5) << "the seventeenth of 25 layers";
+    EXPECT_NEAR(height("chord"), 0.33, 2e-5);
 }
 
 TEST_F(MarchParameters, TheMipChainIsMadeOnlyWhereItIsRead) {

@@ -30,6 +30,15 @@ void discard_counted() {
 #endif
 #include "trace.glsl"
 #undef discard
+#ifdef RELIEFBENCH_EYE_DISTANCE
+float eye_distance() {
+#ifdef RELIEFBENCH_CURVED
+    return scene.parallel_rays != 0 ? 0.0 : distance(scene.eye, curved_entry.point);
+#else
+    return view_ray(gl_FragCoord.xy).entry_t;
+#endif
+}
+#endif
 #include "self_shadow.glsl"
 #include "work.glsl"
 
@@ -87,7 +96,7 @@ layout(depth_greater) out float gl_FragDepth;
 void draw_relief(ViewRay view) {
     float t_per_s = scene.height_scale / -way_over_base(view.direction).z;
     vec2 offset = curved_offset(-view.direction);
-#ifdef GRAZING_LIMIT
+#ifdef RELIEFBENCH_LIMITED_WAY
     float left_way = limited_way(-view.direction * curved_entry.frame);
     offset *= left_way;
 #endif
@@ -101,7 +110,7 @@ void main() {
     ViewRay view = view_ray(gl_FragCoord.xy);
     float t_per_s = scene.height_scale / -view.direction.z;
     vec2 max_offset = view.direction.xy * t_per_s;
-#ifdef GRAZING_LIMIT
+#ifdef RELIEFBENCH_LIMITED_WAY
     float left_way = limited_way(-view.direction);
     max_offset *= left_way;
 #endif
@@ -162,8 +171,8 @@ void main() {
 #else
         hit = vec4(view.entry + found.s * max_offset, height_of_ray(ray, found.s), view.entry_t + found.s * t_per_s);
 #endif
-#ifdef GRAZING_LIMIT
-        // A ray that runs flatter than it may is not where its answer lies.
+#ifdef RELIEFBENCH_LIMITED_WAY
+        // A ray whose way is shortened is not where its answer lies.
         if (left_way < 1.0) hit.w = dot(surface_point(hit.xy, hit.z) - view.origin, view.direction);
 #endif
     } else {

@@ -26,10 +26,21 @@ float tap_height_exactly(vec2 uv) {
     return patch_height(tap_height_cell(ivec2(cell)), place - cell);
 }
 
+// Of the pixel's entry into the base from the eye, in sides of the patch; 0 with parallel rays, which have none.
+#define RELIEFBENCH_EYE_DISTANCE 1
+float eye_distance();
+
+// Of the mip chain, where one level is read for all steps.
+float entry_level(ReliefRay ray) {
+    if (height_lod_axis == height_lod_axis_greater) return ray.level + height_lod_bias;
+    vec2 size = vec2(height_map_size());
+    return log2(min(length(ray.uv_dx * size), length(ray.uv_dy * size))) + height_lod_bias;
+}
+
 // With height_lod another surface is searched than the one at level 0, which the truth has.
 float tap_along(ReliefRay ray, float s) {
     vec2 uv = point_on_ray(ray, s);
-    if (height_lod == height_lod_entry) return tap_map(height_mips, uv, ray.level).r;
+    if (height_lod == height_lod_entry) return tap_map(height_mips, uv, entry_level(ray)).r;
     if (height_lod == height_lod_gradients) return tap_map_gradients(height_mips, uv, ray.uv_dx, ray.uv_dy).r;
     return height_filter == height_filter_exact ? tap_height_exactly(uv) : tap_height(uv);
 }
@@ -40,12 +51,19 @@ float unrounded_layers(ReliefRay ray) {
     float most = float(max_steps);
     float least = float(min_steps);
     if (adaptive_by == adaptive_by_angle) return mix(least, most, acos(min(ray.to_eye.z, 1.0)) / grazing_angle);
+    // In a relief of unit depth, whose coordinates are the texture's: for one that is shallow nearly head-on, whatever
+    // the view (Unity HDRP).
+    if (adaptive_by == adaptive_by_uv_angle)
+        return mix(least, most, atan(length(straight_offset(ray))) / grazing_angle);
+    if (adaptive_by == adaptive_by_distance) return max(least, most * (1.0 - eye_distance() / steps_end_distance));
     if (adaptive_by == adaptive_by_texels) {
 #ifdef RELIEFBENCH_BENT_RAY
         float texels = length((point_on_ray(ray, ray.s_end) - ray.uv) * vec2(height_map_size()));
 #else
         float texels = length(straight_offset(ray) * vec2(height_map_size()));
 #endif
+        if (texels_of == texels_of_level_read)
+            texels /= exp2(max(0.0, height_lod == height_lod_entry ? entry_level(ray) : ray.level));
         return max(least, min(most, layers_per_texel * texels));
     }
     return mix(most, least, ray.to_eye.z);
@@ -55,6 +73,7 @@ float unrounded_layers(ReliefRay ray) {
 float layer_count(ReliefRay ray) {
     if (!adaptive) return float(max_steps);
     float layers = max(1.0, unrounded_layers(ray));
+    if (step_rounding == step_rounding_multiple_of_4) return 4.0 * ceil(floor(layers + 0.5) / 4.0);
     return step_rounding == step_rounding_fractional ? layers : floor(layers);
 }
 
@@ -65,7 +84,27 @@ Crossing find_crossing(ReliefRay ray, float layers) {
     float h = tap_along(ray, 0.0);
     if (enters_surface(h)) h = 1.0;
     Crossing crossing = Crossing(0.0, h, 0.0, h, 0);
+#ifdef TAP_BATCH_FOUR
 #ifdef RELIEFBENCH_START_OFFSET
+    float first = start_offset_of_pixel();
+#else
+    float first = 1.0;
+#endif
+    while (crossing.s_below < end_of_ray(ray) && crossing.h_below < height_of_ray(ray, crossing.s_below)) {
+        vec4 along = min((float(crossing.steps) + vec4(0.0, 1.0, 2.0, 3.0) + first) / layers, 1.0) * end_of_ray(ray);
+        // None of them depends on what another finds.
+        vec4 heights = vec4(tap_along(ray, along.x), tap_along(ray, along.y), tap_along(ray, along.z),
+                            tap_along(ray, along.w));
+        for (int i = 0; i < 4; ++i) {
+            if (crossing.s_below >= end_of_ray(ray) || crossing.h_below >= height_of_ray(ray, crossing.s_below)) break;
+            crossing.s_above = crossing.s_below;
+            crossing.h_above = crossing.h_below;
+            crossing.s_below = along[i];
+            crossing.h_below = heights[i];
+            crossing.steps += 1;
+        }
+    }
+#elif defined(RELIEFBENCH_START_OFFSET)
     // All layers move together, but the last: one more than else lies at the ray's end.
     float first = start_offset_of_pixel();
     while (crossing.s_below < end_of_ray(ray) && crossing.h_below < height_of_ray(ray, crossing.s_below)) {
@@ -95,7 +134,7 @@ bool has_missed(ReliefRay ray, Crossing crossing) { return leaves_above(ray) && 
 
 Refined refine(ReliefRay ray, Crossing crossing, float layers) {
     if (refinement == refinement_linear) return refine_linearly(ray, crossing);
-    if (refinement == refinement_secant) return refine_by_secants(ray, crossing, secant_steps);
+    if (refinement == refinement_secant) return refine_by_secants(ray, crossing, secant_steps, secant_tolerance);
     if (refinement == refinement_binary) return refine_by_halving(ray, crossing, binary_steps);
     if (refinement == refinement_contact) {
         int finer_steps = refinement_steps > 0 ? refinement_steps : int(ceil(layers));

@@ -58,8 +58,9 @@ Refined refine_by_halving(ReliefRay ray, Crossing crossing, int halvings) {
 
 // Ray and chord are intersected, and the intersection takes the place of the end on its side of the surface, again and
 // again: the interval always holds a crossing (Risser 2007). The last of the `chords` intersections is the answer and
-// is not read.
-Refined refine_by_secants(ReliefRay ray, Crossing crossing, int chords) {
+// is not read. One that is read and lies no further than `tolerance` from the surface, in units of the height scale, is the
+// answer at once; at 0 none is.
+Refined refine_by_secants(ReliefRay ray, Crossing crossing, int chords, float tolerance) {
     float above = gap_above(ray, crossing);
     float below = gap_below(ray, crossing);
     Refined refined = Refined(crossing.s_below, crossing.steps);
@@ -70,6 +71,7 @@ Refined refine_by_secants(ReliefRay ray, Crossing crossing, int chords) {
         refined.steps += 1;
         if (i == chords) break;
         float gap = height_of_ray(ray, refined.s) - tap_along(ray, refined.s);
+        if (tolerance > 0.0 && abs(gap) <= tolerance) break;
         if (gap > 0.0) {
             crossing.s_above = refined.s;
             above = gap;
@@ -81,12 +83,21 @@ Refined refine_by_secants(ReliefRay ray, Crossing crossing, int chords) {
     return refined;
 }
 
+Refined refine_by_secants(ReliefRay ray, Crossing crossing, int chords) {
+    return refine_by_secants(ray, crossing, chords, 0.0);
+}
+
 // `levels` times the step that holds the crossing is marched again in `finer_steps` steps; the first of the finest at or
-// beneath the surface (Riccardi). The last of the finer steps ends where contact is known already.
+// beneath the surface (Riccardi), or, with the parameter `contact_answer` of compile time, the chord of the finest step.
+// The last of the finer steps ends where contact is known already.
 Refined refine_by_marching_again(ReliefRay ray, Crossing crossing, int levels, int finer_steps) {
     float s_above = crossing.s_above;
     float s_below = crossing.s_below;
     int steps = crossing.steps;
+#ifdef CONTACT_ANSWER_CHORD
+    float above = gap_above(ray, crossing);
+    float below = gap_below(ray, crossing);
+#endif
     // A ray that enters at or beneath the surface has no step to march again.
     for (int level = 0; level < levels && s_above < s_below; ++level) {
         float start = s_above;
@@ -94,13 +105,27 @@ Refined refine_by_marching_again(ReliefRay ray, Crossing crossing, int levels, i
         for (int i = 1; i < finer_steps; ++i) {
             float s = mix(start, end, float(i) / float(finer_steps));
             steps += 1;
+#ifdef CONTACT_ANSWER_CHORD
+            float gap = height_of_ray(ray, s) - tap_along(ray, s);
+            if (gap <= 0.0) {
+                s_below = s;
+                below = -gap;
+                break;
+            }
+            s_above = s;
+            above = gap;
+#else
             if (tap_along(ray, s) >= height_of_ray(ray, s)) {
                 s_below = s;
                 break;
             }
             s_above = s;
+#endif
         }
     }
+#ifdef CONTACT_ANSWER_CHORD
+    if (above > 0.0 && below > 0.0) return Refined(mix(s_above, s_below, above / (above + below)), steps);
+#endif
     return Refined(s_below, steps);
 }
 
