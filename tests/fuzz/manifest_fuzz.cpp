@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         ParameterValues values = manifest.defaults();
         for (const Parameter& parameter : manifest.parameters)
             fuzz_require(check_parameter_value(parameter, values.at(parameter.name)).empty());
-        if (manifest.sample_count) set_sample_count(manifest, values, 7);
+        if (manifest.sample_count) set_sample_count(manifest, values, 7, manifest.defaults());
         reset_idle(manifest, values, true);
         for (const MapDeclaration& map : manifest.maps)
             map.slices(values);
