@@ -1,15 +1,11 @@
 #include "measure/run.hpp"
 
 #include "core/random.hpp"
-#include "measure/cell_figures.hpp"
 #include "measure/draw_subject.hpp"
 #include "measure/laboratory.hpp"
-#include "measure/recent_state.hpp"
 #include "measure/rounds.hpp"
 #include "measure/stopping_rule.hpp"
 #include "measure/time_estimate.hpp"
-#include "store/chosen_figures.hpp"
-#include "store/crashes.hpp"
 
 #include <fmt/format.h>
 
@@ -23,28 +19,10 @@ namespace reliefbench {
 
 namespace {
 
-double total_ms(const std::vector<double>& samples) {
-    double sum = 0;
-    for (double sample : samples) {
-        sum += sample;
-    }
-    return sum;
-}
-
 std::size_t cells_to_measure(const std::vector<Cell>& cells, const EarlierWork& earlier) {
     return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), [&](const Cell& cell) {
         return cell.skip_reason.empty() && !earlier.finished.contains(cell.id);
     }));
-}
-
-/// The rounds that an interrupted execution has of a cell.
-EarlierSamples earlier_samples(const std::vector<RawSamples>& visits) {
-    EarlierSamples earlier;
-    for (const RawSamples& visit : visits) {
-        earlier.samples[visit.pass].push_back(visit.ms);
-        earlier.device_s += total_ms(visit.ms) * visit.repeats / 1000.0;
-    }
-    return earlier;
 }
 
 /// Of what the rule asks for; time says nothing about rounds.
@@ -61,12 +39,11 @@ public:
         : source_(source),
           configuration_(configuration),
           cells_(cells),
-          writer_(writer),
           on_progress_(on_progress),
           clock_(clock),
           options_(options),
           start_s_(clock.seconds()),
-          recent_state_(source.device_state(), clock),
+          log_(source, writer, clock, options.earlier.forced),
           rule_(make_stopping_rule(configuration.sampling)),
           estimate_(cells_to_measure(cells, options.earlier), min_rounds(configuration.sampling)),
           cells_done_(static_cast<std::size_t>(
@@ -84,9 +61,9 @@ public:
             if (!unfinished.empty()) measure_block(unfinished, block, mix_bits(configuration_.seed + block));
         }
         tell_cell({});
-        split_.total_s = clock_.seconds() - start_s_;
-        split_.truths = source_.truths();
-        return {tally_, cells_done_ < cells_.size(), device_lost_, split_};
+        log_.split().total_s = clock_.seconds() - start_s_;
+        log_.split().truths = source_.truths();
+        return {log_.tally(), cells_done_ < cells_.size(), device_lost_, log_.split()};
     }
 
 private:
@@ -140,7 +117,7 @@ private:
         estimate_.extend_preparation(clock_.seconds() - begin_s);
         if (interrupted()) return;
         for (ReadyCell& cell : of_view) {
-            count_preparation(cell);
+            log_.count_preparation(cell);
             keep_ready(std::move(cell), ready);
         }
     }
@@ -149,24 +126,12 @@ private:
         const Cell& cell = cells_[index];
         stage_ = fmt::format("preparing {} of {}{}", ++prepared_, cells_of_block_, of_block_);
         report(cell.id);
-        if (const auto crashes = options_.earlier.crashes.find(cell.id);
-            crashes != options_.earlier.crashes.end() && crashes->second.size() >= max_crashes) {
-            return {.index = index,
-                    .result = ended_result(cell, CellStatus::failed, crashed_cell_reason(crashes->second))};
-        }
+        if (const std::string reason = crashed_reason(options_.earlier, cell.id); !reason.empty())
+            return {.index = index, .result = ended_result(cell, CellStatus::failed, reason)};
         tell_cell(cell.id);
         ReadyCell ready = source_.make_ready(index, [&](const std::string& detail) { report(cell.id, detail); });
-        for (const auto& [pass, samples] : ready.preparation_ms) {
-            writer_.append_samples({cell.id, pass, 0, 0, 1, samples});
-        }
+        log_.keep_preparation(ready);
         return ready;
-    }
-
-    /// Of a cell that will be sampled: what a failed one took to prepare counts nowhere.
-    void count_preparation(const ReadyCell& cell) {
-        if (cell.result.status != CellStatus::ok || cell.preparation_kept) return;
-        for (const auto& [pass, samples] : cell.preparation_ms)
-            split_.samples_s += total_ms(samples) / 1000.0;
     }
 
     /// One that cannot be sampled is recorded. None is after the one that lost the device: it would fail for that
@@ -194,8 +159,6 @@ private:
         std::vector<std::size_t> visits = {};
         double first_visit_s = 0;
         double last_visit_s = 0;
-        double round_start_s = 0;
-        bool round_throttled = false;
     };
 
     void sample(std::vector<ReadyCell>& ready, std::size_t block, std::uint64_t seed) {
@@ -211,7 +174,7 @@ private:
         go_on_from_earlier(ready, rounds);
         warmed_ = 0;
         std::vector<SampledSubject> sampled = sample_in_rounds(subjects, *rule_, rounds, callbacks(sampling));
-        split_.timing_s += sampling.last_visit_s - sampling.first_visit_s;
+        log_.split().timing_s += sampling.last_visit_s - sampling.first_visit_s;
         for (std::size_t subject = 0; subject < ready.size(); ++subject) {
             const bool done = sampled[subject].stop || ready[subject].result.status == CellStatus::failed;
             if (done) finish(ready[subject], std::move(sampled[subject]), ready[subject].subject->repeats());
@@ -236,7 +199,8 @@ private:
         callbacks.on_warm = [this, &sampling] {
             warmed_.reset();
             stage_ = "sampling" + of_block_;
-            sampling.first_visit_s = sampling.last_visit_s = sampling.round_start_s = clock_.seconds();
+            sampling.first_visit_s = sampling.last_visit_s = clock_.seconds();
+            log_.begin_round();
         };
         callbacks.on_visit = [this, &sampling](const Visit& visit) { keep(visit, sampling); };
         callbacks.on_failure = [this, &sampling](std::size_t subject, const std::string& reason) {
@@ -257,63 +221,33 @@ private:
             estimate_.finish_cell(sampling.visits[subject]);
         };
         callbacks.is_interrupted = [this] { return interrupted(); };
-        callbacks.is_throttled = [this] { return recent_state_.is_throttled(); };
-        callbacks.on_round = [this, &sampling](int round) { keep_round(round, sampling); };
+        callbacks.is_throttled = [this] { return log_.is_throttled(); };
+        callbacks.on_round = [this, &sampling](int round) { log_.end_round(sampling.block, round); };
         return callbacks;
     }
 
     void keep(const Visit& visit, Sampling& sampling) {
         const ReadyCell& cell = sampling.ready[visit.subject];
-        const int repeats = cell.subject->repeats();
-        for (const auto& [pass, samples] : visit.samples) {
-            writer_.append_samples(
-                {cell.result.cell, pass, visit.round, visit.order, repeats, samples, !visit.counted});
-            if (visit.counted) {
-                const double inside_s = total_ms(samples) * repeats / 1000.0;
-                split_.samples_s += inside_s;
-                split_.timing_samples_s += inside_s;
-            }
-        }
+        log_.keep_visit(cell.result.cell, cell.subject->repeats(), visit);
         ++sampling.visits[visit.subject];
-        sampling.round_throttled = sampling.round_throttled || visit.throttled;
         const double now_s = clock_.seconds();
         estimate_.add_visit(now_s - sampling.last_visit_s);
         sampling.last_visit_s = now_s;
         report(cell.result.cell);
     }
 
-    void keep_round(int round, Sampling& sampling) {
-        const gpu::DeviceState& state = recent_state_.read();
-        RoundRecord record{.block = sampling.block, .round = round};
-        const double now_s = clock_.seconds();
-        record.seconds = now_s - sampling.round_start_s;
-        record.clock_mhz = state.clock_mhz;
-        record.memory_clock_mhz = state.memory_clock_mhz;
-        record.temperature_c = state.temperature_c;
-        if (state.throttled) record.throttled = sampling.round_throttled;
-        writer_.append_round(record);
-        sampling.round_start_s = now_s;
-        sampling.round_throttled = false;
-    }
-
     void finish(ReadyCell& cell, SampledSubject sampled, int repeats) {
-        for (const auto& [pass, rounds] : sampled.samples) {
-            cell.result.time[pass] = summarize_timing(rounds, repeats);
-        }
-        cell.result.stop = sampled.stop;
-        cell.result.throttled_rounds = sampled.throttled_rounds;
-        const auto draw = cell.result.time.find(draw_pass);
-        const std::optional<double> pixels = value_of(chosen_figures::covered_pixels, cell.result);
-        if (draw != cell.result.time.end() && pixels) cell.result.ns_per_pixel = draw->second.median_ms * 1e6 / *pixels;
-        record(std::move(cell.result));
+        const std::string id = cell.result.cell;
+        log_.finish(cell, std::move(sampled), repeats);
+        ++cells_done_;
+        report(id);
     }
 
     void record(CellResult result) {
-        result.forced_resume = options_.earlier.forced;
-        writer_.append_cell(result);
-        tally_.add(result);
+        const std::string id = result.cell;
+        log_.record(std::move(result));
         ++cells_done_;
-        report(result.cell);
+        report(id);
     }
 
     void report(const std::string& current, const std::string& detail = {}) {
@@ -334,20 +268,17 @@ private:
     CellSource& source_;
     const Configuration& configuration_;
     const std::vector<Cell>& cells_;
-    RunWriter& writer_;
     const std::function<void(const Progress&)>& on_progress_;
     const Clock& clock_;
     const MeasureOptions& options_;
     double start_s_;
-    RecentState recent_state_;
+    RunLog log_;
     std::unique_ptr<StoppingRule> rule_;
     TimeEstimate estimate_;
     ShareDone share_done_;
     /// Earlier ones, too.
     std::size_t cells_done_;
-    RunTally tally_;
     bool device_lost_ = false;
-    TimeSplit split_;
     /// What progress tells: of the block at hand, which is named where there are several.
     std::string stage_;
     std::string of_block_;

@@ -2,6 +2,7 @@
 
 #include "measure/cell_source.hpp"
 #include "measure/clock.hpp"
+#include "measure/run_log.hpp"
 #include "store/resume.hpp"
 #include "store/run_folder.hpp"
 #include "store/run_tally.hpp"
@@ -27,19 +28,6 @@ struct Progress {
     double remaining_s = -1;
     /// How much of the whole is done, in [0, 1]; negative while unknown. It never shrinks, though estimates change.
     double share = -1;
-};
-
-/// Where the wall time went, for the line at the end of a run.
-struct TimeSplit {
-    double total_s = 0;
-    /// Inside GPU timestamps of counted samples: those that are part of a cell's figures and were taken in this
-    /// execution. Preparations that were given up, that failed or that an earlier execution made are none.
-    double samples_s = 0;
-    TruthWork truths = {};
-    /// From the first visit of a block to its last, of all blocks, and what of it lay inside GPU timestamps of counted
-    /// samples.
-    double timing_s = 0;
-    double timing_samples_s = 0;
 };
 
 struct MeasureOptions {
