@@ -15,8 +15,8 @@ namespace reliefbench {
 
 namespace {
 
-constexpr std::array stop_reasons{StopReason::precise, StopReason::stalled, StopReason::budget, StopReason::rounds,
-                                  StopReason::time};
+constexpr std::array stop_reasons{StopReason::precise, StopReason::stalled, StopReason::budget,
+                                  StopReason::rounds,  StopReason::time,    StopReason::narrowed};
 
 /// Of so many cells.
 std::string_view why_stopped(StopReason reason) {
@@ -31,6 +31,8 @@ std::string_view why_stopped(StopReason reason) {
             return "with the rounds done";
         case StopReason::time:
             return "with the time spent";
+        case StopReason::narrowed:
+            return "as they were out of the question";
     }
     return {};
 }

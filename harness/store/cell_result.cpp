@@ -19,7 +19,7 @@ using Member = FigureList::Member;
 const std::vector<std::string> status_names = {"ok", "skipped", "failed"};
 
 /// In the order of StopReason.
-const std::vector<std::string> stop_reason_names = {"precise", "stalled", "budget", "rounds", "time"};
+const std::vector<std::string> stop_reason_names = {"precise", "stalled", "budget", "rounds", "time", "narrowed"};
 
 constexpr std::string_view stop_key = "stop";
 constexpr std::string_view time_group = "time";

@@ -46,6 +46,8 @@ enum class StopReason {
     rounds,
     /// The time asked for is spent.
     time,
+    /// It is out of the question for what the run is asked (advise --map), be its interval wide.
+    narrowed,
 };
 
 /// What a cell takes: each pass that was timed, and what it is worth knowing of that.
