@@ -31,6 +31,7 @@ const std::map<std::string, std::set<std::string>> allowed_includes = {
     {"measure", {"technique", "manifest", "reference", "picture", "metrics", "scene", "gpu", "store", "sweep", "core"}},
     {"compare", {"store", "core"}},
     {"report", {"compare", "store", "core"}},
+    {"advice", {"report", "compare", "store", "sweep", "manifest", "scene", "core"}},
 };
 
 /// What shaders of each folder of harness/shaders may include, by the folder's name: it and these, and of `technique`

@@ -1,0 +1,388 @@
+#include "advice/narrowing.hpp"
+
+#include "store/chosen_figures.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace reliefbench {
+
+namespace {
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+/// Rounds before a contender is judged by its bounds alone, and those of what is wanted whatever else is better.
+constexpr std::size_t first_rounds = 3;
+constexpr std::size_t wanted_rounds = 6;
+/// Rounds that give a median a 95 % interval.
+constexpr std::size_t rounds_of_interval = 6;
+/// A first step beyond the budget is looked for up to this many times of it.
+constexpr double next_step_window = 4;
+/// Rungs that are passed over where a ladder was not looked at yet: four times the sample count of neighbours at √2.
+constexpr std::size_t coarse_rungs = 4;
+
+/// As a value of which less is better.
+double as_cost(double value, Better better) {
+    return better == Better::higher ? -value : value;
+}
+
+}  // namespace
+
+TimeBounds time_bounds(const PassTiming& draw, bool is_settled) {
+    assert(draw.rounds > 0);
+    constexpr double margin_of_one_round = 0.3;
+    const double margin = draw.rounds < rounds_of_interval ? margin_of_one_round / static_cast<double>(draw.rounds) : 0;
+    return {draw.ci95_ms.low * (1 - margin), draw.ci95_ms.high * (1 + margin), draw.median_ms, draw.rounds, is_settled};
+}
+
+Narrowing::Narrowing(std::vector<SweptSetting> settings, std::vector<Contest> contests, AdviceRequest request)
+    : settings_(std::move(settings)),
+      contests_(std::move(contests)),
+      request_(std::move(request)),
+      tolerance_(tolerance_of(*request_.rank_by)),
+      budget_ms_(endless) {
+    for (const AdviceLimit& limit : request_.limits) {
+        if (limit.figure->path == chosen_figures::cost) {
+            budget_ms_ = std::min(budget_ms_, limit.value);
+            continue;
+        }
+        error_limits_.push_back(&limit);
+        error_bounds_.push_back(as_cost(limit.value, limit.figure->better));
+    }
+    are_errors_limited_ = !error_limits_.empty();
+    error_bounds_.push_back(wrong_hits_limit);
+    for (std::size_t setting = 0; setting < settings_.size(); ++setting) {
+        const std::size_t ladder = settings_[setting].ladder;
+        if (ladders_.size() <= ladder) ladders_.resize(ladder + 1);
+        ladders_[ladder].push_back(setting);
+        for (std::size_t view = 0; view < settings_[setting].cells.size(); ++view) {
+            const std::optional<std::size_t> cell = settings_[setting].cells[view];
+            if (!cell) continue;
+            if (places_.size() <= *cell) places_.resize(*cell + 1);
+            places_[*cell] = Place{setting, view};
+        }
+    }
+    seen_.resize(places_.size());
+    for (std::vector<std::size_t>& ladder : ladders_) {
+        std::ranges::sort(ladder, {}, [this](std::size_t setting) { return settings_[setting].sample_count; });
+    }
+}
+
+void Narrowing::set_result(std::size_t cell, const CellResult& result) {
+    Seen& seen = seen_.at(cell);
+    seen.is_known = true;
+    seen.is_skipped = result.status == CellStatus::skipped;
+    seen.is_failed = result.status == CellStatus::failed;
+    seen.reason = result.reason;
+    if (seen.is_skipped) return;
+    const std::optional<double> rank = value_of(*request_.rank_by, result);
+    const std::optional<double> wrong = wrong_hits(result);
+    // A cell without a figure that is asked for is no answer.
+    if (!rank || !wrong) {
+        seen.is_failed = true;
+        return;
+    }
+    seen.rank = as_cost(*rank, request_.rank_by->better);
+    for (const AdviceLimit* limit : error_limits_) {
+        const std::optional<double> value = value_of(*limit->figure, result);
+        if (!value) seen.is_failed = true;
+        seen.limited.push_back(value ? as_cost(*value, limit->figure->better) : endless);
+    }
+    seen.limited.push_back(*wrong);
+}
+
+void Narrowing::set_times(std::size_t cell, const TimeBounds& bounds) {
+    seen_.at(cell).time = bounds;
+}
+
+Narrowing::Seen Narrowing::seen_of(std::size_t setting, std::size_t view) const {
+    return seen_[*settings_[setting].cells[view]];
+}
+
+/// Where a cell was not looked at, those of its ladder bound it: fewer samples take no longer, more err no more.
+void Narrowing::add_view(std::size_t setting, std::size_t view, Bounds& bounds) const {
+    const Seen own = seen_of(setting, view);
+    if (own.is_skipped || own.is_failed) {
+        bounds.is_possible = false;
+        return;
+    }
+    double time_low = own.time.rounds > 0 ? own.time.low_ms : 0;
+    double rank = own.is_known ? own.rank : -endless;
+    std::vector<double> limited = own.is_known ? own.limited : std::vector<double>(error_bounds_.size(), -endless);
+    for (const std::size_t other : ladders_[settings_[setting].ladder]) {
+        if (other == setting || !settings_[other].cells[view]) continue;
+        const Seen seen = seen_of(other, view);
+        // What the device or the map does not allow one sample count it allows none.
+        if (seen.is_skipped) bounds.is_possible = false;
+        const bool is_below = settings_[other].sample_count < settings_[setting].sample_count;
+        if (is_below && own.time.rounds == 0 && seen.time.rounds > 0) time_low = std::max(time_low, seen.time.low_ms);
+        if (is_below || own.is_known || !seen.is_known || seen.limited.empty()) continue;
+        rank = std::max(rank, seen.rank);
+        for (std::size_t at = 0; at < limited.size(); ++at)
+            limited[at] = std::max(limited[at], seen.limited[at]);
+    }
+    const bool is_timed = own.is_known && own.time.rounds > 0;
+    bounds.is_complete = bounds.is_complete && is_timed;
+    bounds.is_drawn_somewhere = bounds.is_drawn_somewhere || own.is_known;
+    bounds.time_low = std::max(bounds.time_low, time_low);
+    bounds.time_high = std::max(bounds.time_high, is_timed ? own.time.high_ms : endless);
+    bounds.time = std::max(bounds.time, own.time.median_ms);
+    bounds.rank = std::max(bounds.rank, rank);
+    for (std::size_t at = 0; at < limited.size(); ++at)
+        bounds.limited[at] = std::max(bounds.limited[at], limited[at]);
+}
+
+Narrowing::Bounds Narrowing::bounds_of(std::size_t setting, const Contest& contest) const {
+    Bounds bounds;
+    bounds.rank = -endless;
+    bounds.limited.assign(error_bounds_.size(), -endless);
+    for (const std::size_t view : contest) {
+        if (!settings_[setting].cells[view]) {
+            bounds.is_possible = false;
+            return bounds;
+        }
+        add_view(setting, view, bounds);
+    }
+    return bounds;
+}
+
+bool Narrowing::told_apart(double rank, double other) const {
+    return size_in_tolerances(rank, other, tolerance_) > 1;
+}
+
+bool Narrowing::may_keep_errors(const Bounds& bounds) const {
+    for (std::size_t at = 0; at < error_bounds_.size(); ++at) {
+        if (bounds.limited[at] > error_bounds_[at]) return false;
+    }
+    return true;
+}
+
+/// By how many times it is beyond its limits at least, wrong hits aside, which make it no answer at all.
+double Narrowing::least_excess(const Bounds& bounds) const {
+    if (bounds.limited.back() > wrong_hits_limit) return endless;
+    double excess = budget_ms_ < endless ? bounds.time_low / budget_ms_ : 0;
+    for (std::size_t at = 0; at < error_limits_.size(); ++at) {
+        const double limit = error_bounds_[at];
+        if (bounds.limited[at] <= limit) continue;
+        excess = std::max(excess, limit > 0 ? bounds.limited[at] / limit : endless);
+    }
+    return excess;
+}
+
+Narrowing::Standing Narrowing::standing_of(const std::vector<Bounds>& bounds) const {
+    Standing standing;
+    std::vector<const Bounds*> keeping;
+    std::vector<const Bounds*> beyond;
+    for (const Bounds& each : bounds) {
+        if (!each.is_possible || !each.is_complete) continue;
+        const double excess = least_excess(each);
+        if (!standing.has_nearest || excess < standing.nearest_excess) standing.nearest_excess = excess;
+        standing.has_nearest = true;
+        if (may_keep_errors(each)) (each.time <= budget_ms_ ? keeping : beyond).push_back(&each);
+    }
+    for (const Bounds* each : keeping)
+        standing.least_rank = std::min(standing.least_rank.value_or(endless), each->rank);
+    for (const Bounds* each : keeping) {
+        if (!are_errors_limited_ && told_apart(each->rank, *standing.least_rank)) continue;
+        if (standing.best == nullptr || each->time < standing.best->time) standing.best = each;
+    }
+    for (const Bounds* each : beyond) {
+        if (standing.least_rank && (each->rank > *standing.least_rank || !told_apart(each->rank, *standing.least_rank)))
+            continue;
+        if (standing.next == nullptr || each->time < standing.next->time) standing.next = each;
+    }
+    return standing;
+}
+
+bool Narrowing::may_win(const Bounds& bounds, const Standing& standing) const {
+    if (!bounds.is_possible || bounds.time_low > budget_ms_ || !may_keep_errors(bounds)) return false;
+    if (standing.best == nullptr || &bounds == standing.best) return true;
+    if (!are_errors_limited_ && bounds.rank > *standing.least_rank && told_apart(bounds.rank, *standing.least_rank))
+        return false;
+    if (!are_errors_limited_ && bounds.rank < *standing.least_rank && told_apart(bounds.rank, *standing.least_rank))
+        return true;
+    return bounds.time_low < standing.best->time;
+}
+
+bool Narrowing::may_be_next(const Bounds& bounds, const Standing& standing) const {
+    if (budget_ms_ == endless || !bounds.is_possible || bounds.time_high <= budget_ms_ || !may_keep_errors(bounds))
+        return false;
+    if (&bounds == standing.next) return true;
+    if (standing.least_rank && (bounds.rank > *standing.least_rank || !told_apart(bounds.rank, *standing.least_rank)))
+        return false;
+    return bounds.time_low < (standing.next != nullptr ? standing.next->time : next_step_window * budget_ms_);
+}
+
+/// By fewer samples of the same ladder, which take no longer, whatever noise makes of their times.
+Narrowing::Dominance Narrowing::dominance(std::size_t setting, const Judged& judged) const {
+    Dominance dominance;
+    const Bounds& own = judged.bounds[setting];
+    const std::optional<double>& least = judged.standing.least_rank;
+    for (const std::size_t other : ladders_[settings_[setting].ladder]) {
+        const Bounds& bounds = judged.bounds[other];
+        const bool is_below = settings_[other].sample_count < settings_[setting].sample_count;
+        if (!is_below || !bounds.is_possible || !bounds.is_complete || !may_keep_errors(bounds)) continue;
+        const bool errs_no_more = bounds.rank <= own.rank;
+        const bool is_as_good = least && !told_apart(bounds.rank, own.rank) && !told_apart(bounds.rank, *least);
+        dominance.as_best = dominance.as_best || are_errors_limited_ || errs_no_more || is_as_good;
+        dominance.as_next = dominance.as_next || errs_no_more;
+    }
+    return dominance;
+}
+
+Narrowing::Judged Narrowing::judge(const Contest& contest) const {
+    Judged judged;
+    for (std::size_t setting = 0; setting < settings_.size(); ++setting)
+        judged.bounds.push_back(bounds_of(setting, contest));
+    judged.standing = standing_of(judged.bounds);
+    bool may_any_win = false;
+    for (std::size_t setting = 0; setting < settings_.size(); ++setting) {
+        const Bounds& bounds = judged.bounds[setting];
+        const Dominance dominated = dominance(setting, judged);
+        const bool wins = !dominated.as_best && may_win(bounds, judged.standing);
+        may_any_win = may_any_win || wins;
+        judged.is_viable.push_back(wins || (!dominated.as_next && may_be_next(bounds, judged.standing)));
+    }
+    if (may_any_win) return judged;
+    for (std::size_t setting = 0; setting < settings_.size(); ++setting) {
+        const Bounds& bounds = judged.bounds[setting];
+        const bool may_be_nearest =
+            !judged.standing.has_nearest || least_excess(bounds) <= judged.standing.nearest_excess;
+        if (bounds.is_possible && may_be_nearest) judged.is_viable[setting] = true;
+    }
+    return judged;
+}
+
+/// Where rungs are looked at on one side only a coarse step goes on; between two that were the middle one is next, of
+/// the gap with the most samples, where errors are least.
+std::optional<std::size_t> Narrowing::next_rung(const Judged& judged, const std::vector<std::size_t>& ladder) const {
+    const auto is_open = [&](std::size_t rung) {
+        return judged.is_viable[ladder[rung]] && !judged.bounds[ladder[rung]].is_drawn_somewhere;
+    };
+    std::vector<std::size_t> looked_at;
+    for (std::size_t rung = 0; rung < ladder.size(); ++rung) {
+        if (judged.bounds[ladder[rung]].is_drawn_somewhere) looked_at.push_back(rung);
+    }
+    if (looked_at.empty()) {
+        std::optional<std::size_t> start;
+        for (std::size_t rung = 0; rung < ladder.size(); ++rung) {
+            const auto distance = [&](std::size_t of) { return settings_[ladder[of]].distance_from_start; };
+            if (is_open(rung) && (!start || distance(rung) < distance(*start))) start = rung;
+        }
+        return start;
+    }
+    const std::size_t top = ladder.size() - 1;
+    for (std::size_t rung = std::min(looked_at.back() + coarse_rungs, top); rung > looked_at.back(); --rung) {
+        if (is_open(rung)) return rung;
+    }
+    for (std::size_t gap = looked_at.size(); gap-- > 1;) {
+        std::vector<std::size_t> open;
+        for (std::size_t rung = looked_at[gap - 1] + 1; rung < looked_at[gap]; ++rung) {
+            if (is_open(rung)) open.push_back(rung);
+        }
+        if (!open.empty()) return open[open.size() / 2];
+    }
+    const std::size_t lowest = looked_at.front();
+    for (std::size_t rung = lowest > coarse_rungs ? lowest - coarse_rungs : 0; rung < lowest; ++rung) {
+        if (is_open(rung)) return rung;
+    }
+    return std::nullopt;
+}
+
+/// One rung that was not looked at, in the first of the contest's views, and all views of the most promising one that
+/// was looked at in some.
+void Narrowing::choose_from_ladder(const Contest& contest, const Judged& judged, const std::vector<std::size_t>& ladder,
+                                   std::vector<std::size_t>& chosen) const {
+    std::optional<std::size_t> to_complete;
+    const auto promise = [&](std::size_t setting) {
+        const Bounds& bounds = judged.bounds[setting];
+        return are_errors_limited_ ? std::pair(bounds.time_low, bounds.rank) : std::pair(bounds.rank, bounds.time_low);
+    };
+    for (const std::size_t setting : ladder) {
+        const Bounds& bounds = judged.bounds[setting];
+        if (!judged.is_viable[setting] || bounds.is_complete || !bounds.is_drawn_somewhere) continue;
+        if (!to_complete || promise(setting) < promise(*to_complete)) to_complete = setting;
+    }
+    if (to_complete) {
+        for (const std::size_t view : contest)
+            chosen.push_back(*settings_[*to_complete].cells[view]);
+    }
+    if (const std::optional<std::size_t> rung = next_rung(judged, ladder))
+        chosen.push_back(*settings_[ladder[*rung]].cells[contest.front()]);
+}
+
+std::vector<std::size_t> Narrowing::next_round() const {
+    std::set<std::size_t> visited;
+    std::vector<std::size_t> unseen;
+    const auto visit_unsettled = [&](std::size_t cell) {
+        const Seen& seen = seen_[cell];
+        if (seen.is_known && !seen.is_failed && !seen.is_skipped && !seen.time.is_settled) visited.insert(cell);
+    };
+    for (const Contest& contest : contests_) {
+        const Judged judged = judge(contest);
+        for (const std::vector<std::size_t>& ladder : ladders_)
+            choose_from_ladder(contest, judged, ladder, unseen);
+        for (std::size_t setting = 0; setting < settings_.size(); ++setting) {
+            if (!judged.is_viable[setting]) continue;
+            const bool is_complete = judged.bounds[setting].is_complete;
+            for (const std::size_t view : contest) {
+                const std::size_t cell = *settings_[setting].cells[view];
+                if (is_complete || seen_[cell].time.rounds < first_rounds) visit_unsettled(cell);
+            }
+        }
+    }
+    for (const SweptSetting& setting : settings_) {
+        if (!setting.is_wanted) continue;
+        for (const std::optional<std::size_t>& cell : setting.cells) {
+            if (!cell) continue;
+            if (!seen_[*cell].is_known) unseen.push_back(*cell);
+            if (seen_[*cell].time.rounds < wanted_rounds) visit_unsettled(*cell);
+        }
+    }
+    for (const std::size_t cell : unseen) {
+        if (!seen_[cell].is_known) visited.insert(cell);
+    }
+    return {visited.begin(), visited.end()};
+}
+
+std::size_t Narrowing::contenders() const {
+    std::set<std::size_t> settings;
+    for (const Contest& contest : contests_) {
+        const Judged judged = judge(contest);
+        for (std::size_t setting = 0; setting < settings_.size(); ++setting) {
+            if (judged.is_viable[setting]) settings.insert(setting);
+        }
+    }
+    return settings.size();
+}
+
+std::string Narrowing::reason_left_out(std::size_t cell) const {
+    if (cell >= places_.size() || !places_[cell]) return "";
+    const auto [setting, view] = *places_[cell];
+    for (const std::size_t other : ladders_[settings_[setting].ladder]) {
+        if (!settings_[other].cells[view]) continue;
+        const Seen seen = seen_of(other, view);
+        if (seen.is_skipped) return "not measured: with another sample count it was skipped: " + seen.reason;
+    }
+    std::string reason;
+    for (const Contest& contest : contests_) {
+        if (std::ranges::find(contest, view) == contest.end()) continue;
+        const Bounds bounds = bounds_of(setting, contest);
+        if (judge(contest).is_viable[setting]) return "";
+        if (!bounds.is_possible) {
+            reason = "not measured: it is no answer in another view";
+        } else if (bounds.time_low > budget_ms_) {
+            reason = "not measured: with fewer samples, or in another view, it takes longer than the budget";
+        } else if (!may_keep_errors(bounds)) {
+            reason = "not measured: with more samples, or in another view, it errs more than may be";
+        } else {
+            reason = "not measured: others err no more and take no longer, as its other sample counts show";
+        }
+    }
+    return reason;
+}
+
+}  // namespace reliefbench
