@@ -5,6 +5,7 @@
 #include "store/cell_result.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

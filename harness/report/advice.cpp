@@ -2,6 +2,7 @@
 
 #include "compare/deciding_figures.hpp"
 #include "core/error.hpp"
+#include "core/split.hpp"
 #include "report/cautions.hpp"
 #include "report/quality_cost.hpp"
 #include "store/chosen_figures.hpp"
@@ -71,6 +72,27 @@ struct Group {
     std::vector<const CellResult*> cells;
 };
 
+/// All measured cells.
+Group group_of_all(const std::vector<CellResult>& cells) {
+    Group group;
+    for (const CellResult& cell : cells) {
+        if (is_measured(cell)) group.cells.push_back(&cell);
+    }
+    return group;
+}
+
+/// By the words of the setting: what it names is what is not at its default.
+Json selection_of(const std::string& setting, const CellResult& cell) {
+    Json selection = {{"technique", cell.technique}};
+    if (!cell.preset.empty()) selection["preset"] = cell.preset;
+    for (const std::string& word : split(setting, ' ')) {
+        const std::string name = word.substr(0, word.find('='));
+        if (name != word && cell.parameters.is_object() && cell.parameters.contains(name))
+            selection["parameters"][name] = cell.parameters[name];
+    }
+    return selection;
+}
+
 std::vector<Group> groups_of(const std::vector<CellResult>& cells) {
     const std::vector<std::string> dividing = dividing_axes(cells);
     std::vector<Group> groups;
@@ -125,6 +147,7 @@ public:
             answer_nearest();
         }
         if (budget_of(request_) != nullptr) answer_next_better();
+        answer_presets();
         return std::move(answer_);
     }
 
@@ -139,6 +162,8 @@ private:
         AdvisedSetting worst;
         worst.setting = setting;
         worst.technique = cells.front()->technique;
+        worst.preset = cells.front()->preset;
+        worst.selection = selection_of(setting, *cells.front());
         worst.figures.resize(advice_.figures.size());
         for (const CellResult* cell : cells) {
             const PassTiming& draw = *draw_timing(*cell);
@@ -164,6 +189,7 @@ private:
 
     void add(AdvisedSetting setting) {
         ++answer_.settings;
+        if (!setting.preset.empty()) answer_.presets.push_back({.preset = setting, .better = {}});
         if (setting.wrong_hits > wrong_hits_limit) {
             ++answer_.wrong;
             answer_.wrong_within_limits += keeps_to_limits(setting) ? 1 : 0;
@@ -283,6 +309,25 @@ private:
         }
     }
 
+    void answer_presets() {
+        for (PresetAdvice& each : answer_.presets) {
+            const AdvisedSetting* better = nullptr;
+            for (const AdvisedSetting& setting : settings_) {
+                const bool is_better_for_no_more = setting.preset.empty() && setting.ms <= each.preset.ms &&
+                                                   ranks_before(setting, each.preset) &&
+                                                   told_apart_by_error(setting, each.preset);
+                if (!is_better_for_no_more) continue;
+                if (better == nullptr || ranks_before(setting, *better)) better = &setting;
+            }
+            if (better != nullptr) each.better = *better;
+        }
+        const std::optional<AdvisedSetting>& centre = answer_.best ? answer_.best : answer_.nearest;
+        if (!centre) return;
+        std::ranges::stable_sort(answer_.presets, {}, [&](const PresetAdvice& each) {
+            return std::abs(std::log(each.preset.ms / centre->ms));
+        });
+    }
+
     const Advice& advice_;
     const AdviceRequest& request_;
     /// With few enough missed and false hits.
@@ -322,7 +367,8 @@ Advice advise(const std::vector<CellResult>& cells, const AdviceRequest& request
                   .flip = ranking_flip(cells),
                   .truth_samples = truth_samples(record),
                   .caution = caution_of_truth(cells, record),
-                  .views = {}};
+                  .views = {},
+                  .all_views = {}};
     advice.figures = figures_shown(request, advice.flip);
     const auto require = [&](const FigureDeclaration& figure) {
         if (std::ranges::none_of(cells,
@@ -336,6 +382,8 @@ Advice advise(const std::vector<CellResult>& cells, const AdviceRequest& request
     for (const Group& group : groups_of(cells)) {
         advice.views.push_back(Adviser(advice, group).answer());
     }
+    if (request.asks_for_all_views && advice.views.size() > 1)
+        advice.all_views = Adviser(advice, group_of_all(cells)).answer();
     return advice;
 }
 

@@ -25,12 +25,18 @@ struct AdviceRequest {
     std::vector<AdviceLimit> limits;
     /// Ranks what keeps to them; with a direction, of error, image or motion.
     const FigureDeclaration* rank_by = nullptr;
+    /// Whether to answer for all kinds of view together, too, as whoever chooses a setting once for all of them asks.
+    bool asks_for_all_views = false;
 };
 
 /// A technique with parameters, by its worst view of a group.
 struct AdvisedSetting {
     std::string setting;
     std::string technique;
+    /// Empty without one.
+    std::string preset;
+    /// What selects it in a configuration: {"technique": "pom", "parameters": {"max_steps": 16}}.
+    Json selection;
     double ms = 0;
     /// Of that view's time.
     Interval ci95_ms;
@@ -41,6 +47,13 @@ struct AdvisedSetting {
     double wrong_hits = 0;
     /// One for each of Advice::figures.
     std::vector<std::optional<double>> figures;
+};
+
+/// What a preset gives, and what would be had for its price.
+struct PresetAdvice {
+    AdvisedSetting preset;
+    /// Of no preset, no slower and with an error that can be told to be less: the one of the least error.
+    std::optional<AdvisedSetting> better;
 };
 
 /// The answer for one kind of view.
@@ -63,6 +76,9 @@ struct ViewAdvice {
     std::optional<AdvisedSetting> nearest;
     /// Beyond the budget, keeping to the other limits: by ascending time, each better than what came before.
     std::vector<AdvisedSetting> next_better;
+    /// Measured in all of the views, those with too many missed and false hits too: by how near their cost is to the
+    /// best's (by ratio), or to the nearest's.
+    std::vector<PresetAdvice> presets;
 };
 
 struct Advice {
@@ -75,6 +91,8 @@ struct Advice {
     /// caution_of_truth
     std::string caution;
     std::vector<ViewAdvice> views;
+    /// For all kinds of view together, where that was asked and there are several: without axes.
+    std::optional<ViewAdvice> all_views;
 };
 
 /// The FLIP that ranks these cells.

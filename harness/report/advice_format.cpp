@@ -44,7 +44,8 @@ std::string limit_words(const AdviceLimit& limit) {
     return fmt::format("{} {} {}", limit.figure->label, bound, with_unit(limit.value, *limit.figure));
 }
 
-/// "within 2 ms, FLIP over the footprint at most 0.02"
+}  // namespace
+
 std::string limits_words(const AdviceRequest& request) {
     std::vector<std::string> words;
     for (const AdviceLimit& limit : request.limits) {
@@ -61,6 +62,8 @@ std::string axes_words(const ViewAdvice& view) {
     }
     return fmt::format("{}", fmt::join(words, " "));
 }
+
+namespace {
 
 /// "31 %", "31 to 33 %"
 std::string share_words(const Interval& share) {
@@ -199,6 +202,8 @@ Json to_json(const Advice& advice, const AdvisedSetting& setting) {
     Json json;
     json["setting"] = setting.setting;
     json["technique"] = setting.technique;
+    if (!setting.preset.empty()) json["preset"] = setting.preset;
+    json["selection"] = setting.selection;
     json["ms"] = finite_or_null(setting.ms);
     json["ci95_ms"] = {finite_or_null(setting.ci95_ms.low), finite_or_null(setting.ci95_ms.high)};
     json["ns_per_pixel"] = finite_or_null(setting.ns_per_pixel);
@@ -237,6 +242,9 @@ Json to_json(const Advice& advice, const ViewAdvice& view) {
     json["other_technique"] = to_json(advice, view.other_technique);
     json["nearest"] = to_json(advice, view.nearest);
     json["next_better"] = to_json(advice, view.next_better);
+    if (!view.presets.empty()) json["presets"] = Json::array();
+    for (const PresetAdvice& each : view.presets)
+        json["presets"].push_back({{"preset", to_json(advice, each.preset)}, {"better", to_json(advice, each.better)}});
     json["settings"] = view.settings;
     json["incomplete"] = view.incomplete;
     json["wrong"] = view.wrong;
@@ -244,7 +252,9 @@ Json to_json(const Advice& advice, const ViewAdvice& view) {
     return json;
 }
 
-std::string format_json(const Advice& advice) {
+}  // namespace
+
+Json to_json(const Advice& advice) {
     Json json;
     json["rank_by"] = advice.request.rank_by->path;
     json["limits"] = Json::array();
@@ -259,11 +269,9 @@ std::string format_json(const Advice& advice) {
     for (const ViewAdvice& view : advice.views) {
         json["views"].push_back(to_json(advice, view));
     }
-    constexpr int spaces = 2;
-    return json.dump(spaces, ' ', false, Json::error_handler_t::replace) + '\n';
+    if (advice.all_views) json["all_views"] = to_json(advice, *advice.all_views);
+    return json;
 }
-
-}  // namespace
 
 const std::vector<std::string>& advice_format_names() {
     static const std::vector<std::string> names = {"table", "json"};
@@ -280,7 +288,9 @@ AdviceFormat parse_advice_format(const std::string& name) {
 }
 
 std::string format_advice(const Advice& advice, AdviceFormat format, std::size_t columns) {
-    return format == AdviceFormat::json ? format_json(advice) : format_table(advice, columns);
+    constexpr int spaces = 2;
+    if (format == AdviceFormat::table) return format_table(advice, columns);
+    return to_json(advice).dump(spaces, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace reliefbench
