@@ -20,6 +20,8 @@ constexpr int rungs_below = 6;
 constexpr int rungs_above = 8;
 /// Where sweeps of a ladder begin: as many steps as marches need to look like something.
 constexpr double first_sample_count = 16;
+/// Maps that take longer are for a longer look than advice is: several techniques want some.
+constexpr double preparation_limit_s = 10;
 /// Whose views are answered for together.
 constexpr std::array pooled_view_axes{"heightmap", "azimuth"};
 
@@ -52,6 +54,14 @@ std::string ladder_key(const Cell& cell, const Manifest& manifest) {
         if (!is_counted) key += '\n' + name + '=' + to_string(value);
     }
     return key;
+}
+
+bool needs_maps(const Cell& cell, const Manifest& manifest) {
+    return std::ranges::any_of(manifest.passes, [&](const PassDeclaration& pass) {
+        const auto map = std::ranges::find(manifest.maps, pass.writes, &MapDeclaration::name);
+        return all_hold(pass.only_with, cell.parameters) &&
+               (map == manifest.maps.end() || all_hold(map->only_with, cell.parameters));
+    });
 }
 
 std::string contest_key(const ViewKey& view) {
@@ -96,6 +106,7 @@ Json candidate_configuration(const SweepQuestion& question, const std::vector<Ma
     axes["projection"] = "parallel";
     axes["height_scale"] = question.height_scale;
     axes["resolution"] = question.resolution;
+    configuration["preparation"]["limit_s"] = preparation_limit_s;
     return configuration;
 }
 
@@ -116,7 +127,9 @@ CandidateSweep candidate_sweep(const std::vector<Cell>& cells, const std::vector
         const std::string name = cell.id.substr(0, cell.id.find(" | "));
         const auto [known, is_new] = setting_of.try_emplace(name, sweep.settings.size());
         if (is_new) {
-            SweptSetting setting{.technique = cell.technique, .is_wanted = !cell.preset.empty()};
+            SweptSetting setting{.technique = cell.technique,
+                                 .needs_maps = needs_maps(cell, manifest),
+                                 .is_wanted = !cell.preset.empty()};
             setting.ladder = ladder_of.try_emplace(ladder_key(cell, manifest), ladder_of.size()).first->second;
             if (manifest.sample_count) {
                 setting.sample_count = integer_of(cell.parameters, *manifest.sample_count);

@@ -294,8 +294,9 @@ std::optional<std::size_t> Narrowing::next_rung(const Judged& judged, const std:
 
 /// One rung that was not looked at, in the first of the contest's views, and all views of the most promising one that
 /// was looked at in some.
-void Narrowing::choose_from_ladder(const Contest& contest, const Judged& judged, const std::vector<std::size_t>& ladder,
-                                   std::vector<std::size_t>& chosen) const {
+std::vector<std::size_t> Narrowing::chosen_of_ladder(const Contest& contest, const Judged& judged,
+                                                     const std::vector<std::size_t>& ladder) const {
+    std::vector<std::size_t> chosen;
     std::optional<std::size_t> to_complete;
     const auto promise = [&](std::size_t setting) {
         const Bounds& bounds = judged.bounds[setting];
@@ -312,19 +313,27 @@ void Narrowing::choose_from_ladder(const Contest& contest, const Judged& judged,
     }
     if (const std::optional<std::size_t> rung = next_rung(judged, ladder))
         chosen.push_back(*settings_[ladder[*rung]].cells[contest.front()]);
+    return chosen;
 }
 
 std::vector<std::size_t> Narrowing::next_round() const {
     std::set<std::size_t> visited;
-    std::vector<std::size_t> unseen;
+    std::set<std::size_t> unseen;
+    std::set<std::size_t> unseen_with_maps;
     const auto visit_unsettled = [&](std::size_t cell) {
         const Seen& seen = seen_[cell];
         if (seen.is_known && !seen.is_failed && !seen.is_skipped && !seen.time.is_settled) visited.insert(cell);
     };
+    const auto look_at = [&](std::size_t cell) {
+        if (seen_[cell].is_known) return;
+        (settings_[places_[cell]->setting].needs_maps ? unseen_with_maps : unseen).insert(cell);
+    };
     for (const Contest& contest : contests_) {
         const Judged judged = judge(contest);
-        for (const std::vector<std::size_t>& ladder : ladders_)
-            choose_from_ladder(contest, judged, ladder, unseen);
+        for (const std::vector<std::size_t>& ladder : ladders_) {
+            for (const std::size_t cell : chosen_of_ladder(contest, judged, ladder))
+                look_at(cell);
+        }
         for (std::size_t setting = 0; setting < settings_.size(); ++setting) {
             if (!judged.is_viable[setting]) continue;
             const bool is_complete = judged.bounds[setting].is_complete;
@@ -338,13 +347,11 @@ std::vector<std::size_t> Narrowing::next_round() const {
         if (!setting.is_wanted) continue;
         for (const std::optional<std::size_t>& cell : setting.cells) {
             if (!cell) continue;
-            if (!seen_[*cell].is_known) unseen.push_back(*cell);
+            look_at(*cell);
             if (seen_[*cell].time.rounds < wanted_rounds) visit_unsettled(*cell);
         }
     }
-    for (const std::size_t cell : unseen) {
-        if (!seen_[cell].is_known) visited.insert(cell);
-    }
+    visited.merge(unseen.empty() ? unseen_with_maps : unseen);
     return {visited.begin(), visited.end()};
 }
 
@@ -365,7 +372,7 @@ std::string Narrowing::reason_left_out(std::size_t cell) const {
     for (const std::size_t other : ladders_[settings_[setting].ladder]) {
         if (!settings_[other].cells[view]) continue;
         const Seen seen = seen_of(other, view);
-        if (seen.is_skipped) return "not measured: with another sample count it was skipped: " + seen.reason;
+        if (seen.is_skipped) return seen.reason;
     }
     std::string reason;
     for (const Contest& contest : contests_) {

@@ -25,6 +25,8 @@ struct SweptSetting {
     std::int64_t sample_count = 0;
     /// How far along its ladder it stands from where a sweep begins: the least is looked at first.
     double distance_from_start = 0;
+    /// Maps are made for it first, which may take long: its ladder begins when the others have been looked at.
+    bool needs_maps = false;
     /// Of a preset that its users look for: measured whatever else is better.
     bool is_wanted = false;
     /// By view: where the cell stands in the run. Empty: the configuration has no such cell.
@@ -125,8 +127,8 @@ private:
     Dominance dominance(std::size_t setting, const Judged& judged) const;
     bool told_apart(double rank, double other) const;
 
-    void choose_from_ladder(const Contest& contest, const Judged& judged, const std::vector<std::size_t>& ladder,
-                            std::vector<std::size_t>& chosen) const;
+    std::vector<std::size_t> chosen_of_ladder(const Contest& contest, const Judged& judged,
+                                              const std::vector<std::size_t>& ladder) const;
     std::optional<std::size_t> next_rung(const Judged& judged, const std::vector<std::size_t>& ladder) const;
 
     std::vector<SweptSetting> settings_;

@@ -27,7 +27,7 @@ void add_history_command(CLI::App& app, ChosenCommand& chosen);
 void add_ab_command(CLI::App& app, ChosenCommand& chosen);
 void add_selfcheck_command(CLI::App& app, ChosenCommand& chosen);
 void add_export_command(CLI::App& app, ChosenCommand& chosen);
-void add_advise_command(CLI::App& app, ChosenCommand& chosen);
+void add_advise_command(CLI::App& app, ChosenCommand& chosen, const std::vector<std::string>& command_line);
 void add_report_command(CLI::App& app, ChosenCommand& chosen);
 void add_merge_command(CLI::App& app, ChosenCommand& chosen);
 void add_bench_command(CLI::App& app, ChosenCommand& chosen);

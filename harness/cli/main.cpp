@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
     add_compare_command(app, chosen);
     add_history_command(app, chosen);
     add_export_command(app, chosen);
-    add_advise_command(app, chosen);
+    add_advise_command(app, chosen, {argv, argv + argc});
     add_report_command(app, chosen);
     add_merge_command(app, chosen);
     add_bench_command(app, chosen);

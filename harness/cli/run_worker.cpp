@@ -124,7 +124,11 @@ Run read_back(const std::filesystem::path& folder, const std::vector<Cell>& cell
 }
 
 /// Where the table is not asked for, standard output is for another program.
-void print_outcome(const RunOutcome& outcome, const Run& run, const RunJob& job) {
+void print_outcome(const ChosenOutcome& outcome, const Run& run, const RunJob& job) {
+    if (job.chosen) {
+        print_results(job.chosen->answer(run, outcome.is_time_over));
+        return;
+    }
     const RunFormat format = parse_run_format(job.format);
     const TableStyle style{.columns = std::min(table_columns(), TableStyle().columns), .colour = job.colour};
     const std::string table = format_run(run, format, style);
@@ -140,6 +144,11 @@ void print_outcome(const RunOutcome& outcome, const Run& run, const RunJob& job)
 }
 
 void say_how_to_go_on(std::size_t finished, const RunJob& job) {
+    if (job.chosen) {
+        fmt::print(stderr, "reliefbench: interrupted; every sample is kept in {}. The same command goes on\n",
+                   job.folder.string());
+        return;
+    }
     fmt::print(stderr,
                "reliefbench: interrupted with {} of {} finished; every sample is kept. Go on with\n"
                "    reliefbench run {} -o {} --resume\n",
@@ -155,25 +164,39 @@ Json make_record(const RunJob& job, const gpu::Device& device) {
         {job.sources.configuration, job.sources.library, job.sources.cells, maps, device, job.sharing.share});
     record["command_line"] = job.command_line;
     record["filters"] = job.sources.filters;
+    if (job.chosen) record["question"] = job.chosen->question;
     if (job.shard) record["shard"] = {{"index", job.shard->index}, {"count", job.shard->count}};
     record["technique_directories"] = job.sources.technique_directories;
     return record;
 }
 
-RunOutcome measure(const RunJob& job, const gpu::Device& device, RunWriter& writer, EarlierWork earlier,
-                   WorkerStatus& status) {
+/// Recorded by what was measured before, of the cells that are finished.
+std::vector<CellResult> finished_cells(const std::filesystem::path& folder, const EarlierWork& earlier) {
+    if (earlier.finished.empty()) return {};
+    return read_run(folder).cells;
+}
+
+ChosenOutcome measure(const RunJob& job, const gpu::Device& device, RunWriter& writer, EarlierWork earlier,
+                      WorkerStatus& status) {
     const Configuration& configuration = job.sources.configuration;
     if (configuration.images) write_legends(writer);
     MapMaking maps{.cache = cache_folder(),
                    .failed = crashed_preparations(earlier.crashed_preparations),
-                   .on_maps = [&status](const std::string& key) { status.begin_maps(key); }};
+                   .on_maps = [&status](const std::string& key) { status.begin_maps(key); },
+                   .timed = !job.chosen};
     DeviceCells source(device, job.sources.library, configuration, job.sources.cells, writer, std::move(maps));
     ProgressPrinter printer;
-    return run_cells(source, configuration, job.sources.cells, writer,
-                     [&printer](const Progress& progress) { printer(progress); }, steady_clock(),
-                     {.earlier = std::move(earlier),
-                      .is_interrupted = [&status] { return status.is_interrupted(); },
-                      .on_cell = [&status](const std::string& cell) { status.begin_cell(cell); }});
+    const auto on_progress = [&printer](const Progress& progress) { printer(progress); };
+    ChosenOptions options;
+    options.finished = job.chosen ? finished_cells(writer.folder(), earlier) : std::vector<CellResult>();
+    options.earlier = std::move(earlier);
+    options.is_interrupted = [&status] { return status.is_interrupted(); };
+    options.on_cell = [&status](const std::string& cell) { status.begin_cell(cell); };
+    if (!job.chosen)
+        return {run_cells(source, configuration, job.sources.cells, writer, on_progress, steady_clock(), options)};
+    options.deadline_s = steady_clock().seconds() + job.chosen->time_s - status.measuring_s();
+    return run_chosen_cells(source, configuration, job.sources.cells, writer, *job.chosen->chooser, on_progress,
+                            steady_clock(), options);
 }
 
 gpu::DeviceOptions watched(gpu::DeviceOptions options, WorkerStatus& status) {
@@ -202,7 +225,7 @@ ExitCode work_on_run(const RunJob& job, WorkerStatus& status) {
         fmt::print(stderr, "finished already: {}\n", counted(opened.earlier.finished.size(), "cell"));
     }
 
-    RunOutcome outcome = measure(job, device, writer, std::move(opened.earlier), status);
+    ChosenOutcome outcome = measure(job, device, writer, std::move(opened.earlier), status);
     outcome.split.total_s = steady_clock().seconds() - start_s;
     if (outcome.device_lost && outcome.ended_early) {
         fmt::print(stderr, "reliefbench: {} was lost; another worker goes on\n", device.info().name);
@@ -219,10 +242,13 @@ ExitCode work_on_run(const RunJob& job, WorkerStatus& status) {
         status.end(WorkerStatus::Ending::interrupted);
         return ExitCode::done;
     }
-    writer.write_summary(make_run_summary(outcome, run.run.at("empty_pass")));
+    if (run.cells.size() == job.sources.cells.size())
+        writer.write_summary(make_run_summary(outcome, run.run.at("empty_pass")));
     write_exports(writer.folder(), job.exports);
     status.end(WorkerStatus::Ending::finished);
-    return worse_of(report_failures(run.cells), check_validation(device));
+    // Few samples may well be too few for some technique: that is part of an answer.
+    const ExitCode failures = job.chosen ? ExitCode::done : report_failures(run.cells);
+    return worse_of(failures, check_validation(device));
 }
 
 }  // namespace reliefbench

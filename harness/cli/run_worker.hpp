@@ -6,14 +6,29 @@
 #include "cli/run_sources.hpp"
 #include "core/worker_status.hpp"
 #include "gpu/device.hpp"
+#include "measure/chosen_run.hpp"
+#include "store/run_folder.hpp"
 #include "sweep/shard.hpp"
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace reliefbench {
+
+/// A run of cells that something chooses while it measures, for an answer in place of the table.
+struct ChosenCells {
+    std::shared_ptr<CellChooser> chooser;
+    /// What measuring may take in all, the workers before this one included.
+    double time_s = 0;
+    /// Kept in run.json: a run for another question is not gone on with.
+    Json question;
+    /// What is printed in the end, of the cells that are recorded.
+    std::function<std::string(const Run& run, bool is_time_over)> answer;
+};
 
 /// A run as its command line asks for it, before anything is measured.
 struct RunJob {
@@ -30,6 +45,8 @@ struct RunJob {
     std::vector<std::string> command_line;
     /// It goes on for a worker that died.
     bool takes_over = false;
+    /// Empty: all cells are measured.
+    std::optional<ChosenCells> chosen = {};
 };
 
 /// The part of a run that needs the device, in a worker process: measures what is not finished, then prints the table.

@@ -51,6 +51,7 @@ std::int64_t now_ns() {
 struct WorkerStatus::Shared {
     double pass_timeout_s = 0;
     std::atomic<std::int64_t> deadline_ns = no_deadline;
+    std::atomic<std::int64_t> measuring_since_ns = 0;
     std::atomic<bool> interrupted = false;
     std::atomic<Ending> ending = Ending::unsaid;
     std::atomic<std::size_t> folder_length = 0;
@@ -122,6 +123,13 @@ void WorkerStatus::set_deadline() {
     constexpr double longest_ns = 1e18;
     const double allowed_ns = std::min(shared_->pass_timeout_s * ns_per_second * waiting_.front(), longest_ns);
     shared_->deadline_ns = now_ns() + static_cast<std::int64_t>(allowed_ns);
+}
+
+double WorkerStatus::measuring_s() {
+    constexpr double nanosecond = 1e-9;
+    const std::int64_t now = now_ns();
+    if (shared_->measuring_since_ns == 0) shared_->measuring_since_ns = now;
+    return static_cast<double>(now - shared_->measuring_since_ns) * nanosecond;
 }
 
 bool WorkerStatus::is_interrupted() const {

@@ -44,6 +44,8 @@ public:
     void begin_passes(int passes);
     void end_passes();
     bool is_interrupted() const;
+    /// Seconds since the first worker asked.
+    double measuring_s();
     void end(Ending ending);
 
     // The supervisor's side. `cell` is for when the worker is dead, and so cannot change it.

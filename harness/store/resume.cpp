@@ -133,6 +133,11 @@ std::vector<std::string> resume_differences(const Json& recorded, const Json& no
                               (settings.empty() ? "the order in it" : told(std::move(settings))));
     }
     if (value_at(recorded, {"filters"}) != value_at(now, {"filters"})) differences.push_back("the filters differ");
+    // Of a run for advice; one that goes on with all that such a run left out has none.
+    const Json asked_before = value_at(recorded, {"question"});
+    const Json asked_now = value_at(now, {"question"});
+    if (!asked_before.is_null() && !asked_now.is_null() && asked_before != asked_now)
+        differences.push_back("it was measured for another question");
     if (value_at(recorded, {"shard"}) != value_at(now, {"shard"})) differences.push_back("it is another shard");
     for (const auto& [what, key] : {std::pair("height maps", "height_maps"), std::pair("bases", "bases"),
                                     std::pair("techniques", "techniques"), std::pair("shaders", "shaders")}) {
