@@ -29,6 +29,11 @@ double as_cost(double value, Better better) {
     return better == Better::higher ? -value : value;
 }
 
+/// Figures of which less is better are errors, and none is below 0.
+double least_cost(Better better) {
+    return better == Better::higher ? -endless : 0;
+}
+
 }  // namespace
 
 TimeBounds time_bounds(const PassTiming& draw, bool is_settled) {
@@ -110,7 +115,7 @@ void Narrowing::add_view(std::size_t setting, std::size_t view, Bounds& bounds) 
         return;
     }
     double time_low = own.time.rounds > 0 ? own.time.low_ms : 0;
-    double rank = own.is_known ? own.rank : -endless;
+    double rank = own.is_known ? own.rank : least_cost(request_.rank_by->better);
     std::vector<double> limited = own.is_known ? own.limited : std::vector<double>(error_bounds_.size(), -endless);
     for (const std::size_t other : ladders_[settings_[setting].ladder]) {
         if (other == setting || !settings_[other].cells[view]) continue;
