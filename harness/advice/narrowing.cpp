@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <set>
 #include <utility>
@@ -107,6 +108,29 @@ Narrowing::Seen Narrowing::seen_of(std::size_t setting, std::size_t view) const 
     return seen_[*settings_[setting].cells[view]];
 }
 
+/// What an error may have fallen to beyond the two highest rungs that were looked at. Errors fall ever more slowly
+/// along a ladder, so that the line through both, over the logarithm of the sample count, would lie below it; here it
+/// falls twice as steeply, as errors may begin slowly while everything is wrong.
+double Narrowing::rank_from_below(std::size_t setting, std::size_t view) const {
+    constexpr double steeper = 2;
+    double bound = least_cost(request_.rank_by->better);
+    if (request_.rank_by->better == Better::higher) return bound;
+    const auto octave = [this](std::size_t rung) {
+        return std::log2(static_cast<double>(std::max<std::int64_t>(1, settings_[rung].sample_count)));
+    };
+    std::vector<std::size_t> below;
+    for (const std::size_t rung : ladders_[settings_[setting].ladder]) {
+        if (settings_[rung].sample_count >= settings_[setting].sample_count) break;
+        if (settings_[rung].cells[view] && !seen_of(rung, view).limited.empty()) below.push_back(rung);
+    }
+    if (below.size() < 2) return bound;
+    const std::size_t more = below.back();
+    const std::size_t fewer = below[below.size() - 2];
+    const double rank = seen_of(more, view).rank;
+    const double slope = std::max(0.0, seen_of(fewer, view).rank - rank) / (octave(more) - octave(fewer));
+    return std::max(bound, rank - steeper * slope * (octave(setting) - octave(more)));
+}
+
 /// Where a cell was not looked at, those of its ladder bound it: fewer samples take no longer, more err no more.
 void Narrowing::add_view(std::size_t setting, std::size_t view, Bounds& bounds) const {
     const Seen own = seen_of(setting, view);
@@ -115,7 +139,7 @@ void Narrowing::add_view(std::size_t setting, std::size_t view, Bounds& bounds) 
         return;
     }
     double time_low = own.time.rounds > 0 ? own.time.low_ms : 0;
-    double rank = own.is_known ? own.rank : least_cost(request_.rank_by->better);
+    double rank = own.is_known ? own.rank : rank_from_below(setting, view);
     std::vector<double> limited = own.is_known ? own.limited : std::vector<double>(error_bounds_.size(), -endless);
     for (const std::size_t other : ladders_[settings_[setting].ladder]) {
         if (other == setting || !settings_[other].cells[view]) continue;
@@ -247,9 +271,11 @@ Narrowing::Judged Narrowing::judge(const Contest& contest) const {
     for (std::size_t setting = 0; setting < settings_.size(); ++setting) {
         const Bounds& bounds = judged.bounds[setting];
         const Dominance dominated = dominance(setting, judged);
+        // What the figures so far advise is measured, though it may owe its place to noise.
+        const bool is_advised = &bounds == judged.standing.best || &bounds == judged.standing.next;
         const bool wins = !dominated.as_best && may_win(bounds, judged.standing);
-        may_any_win = may_any_win || wins;
-        judged.is_viable.push_back(wins || (!dominated.as_next && may_be_next(bounds, judged.standing)));
+        may_any_win = may_any_win || wins || is_advised;
+        judged.is_viable.push_back(is_advised || wins || (!dominated.as_next && may_be_next(bounds, judged.standing)));
     }
     if (may_any_win) return judged;
     for (std::size_t setting = 0; setting < settings_.size(); ++setting) {
@@ -321,14 +347,33 @@ std::vector<std::size_t> Narrowing::chosen_of_ladder(const Contest& contest, con
     return chosen;
 }
 
+bool Narrowing::may_be_visited(std::size_t cell) const {
+    const Seen& seen = seen_[cell];
+    return seen.is_known && !seen.is_failed && !seen.is_skipped;
+}
+
+/// Those that were drawn: the first rounds of each, then all that are complete together, until the last of them is
+/// settled: what decides between them are rounds of the same minutes.
+void Narrowing::visit_contenders(const Contest& contest, const Judged& judged, std::set<std::size_t>& visited) const {
+    std::vector<std::size_t> together;
+    for (std::size_t setting = 0; setting < settings_.size(); ++setting) {
+        if (!judged.is_viable[setting]) continue;
+        for (const std::size_t view : contest) {
+            const std::size_t cell = *settings_[setting].cells[view];
+            if (!may_be_visited(cell)) continue;
+            if (seen_[cell].time.rounds < first_rounds) visited.insert(cell);
+            if (judged.bounds[setting].is_complete) together.push_back(cell);
+        }
+    }
+    const bool are_settled =
+        std::ranges::all_of(together, [this](std::size_t cell) { return seen_[cell].time.is_settled; });
+    if (!are_settled) visited.insert(together.begin(), together.end());
+}
+
 std::vector<std::size_t> Narrowing::next_round() const {
     std::set<std::size_t> visited;
     std::set<std::size_t> unseen;
     std::set<std::size_t> unseen_with_maps;
-    const auto visit_unsettled = [&](std::size_t cell) {
-        const Seen& seen = seen_[cell];
-        if (seen.is_known && !seen.is_failed && !seen.is_skipped && !seen.time.is_settled) visited.insert(cell);
-    };
     const auto look_at = [&](std::size_t cell) {
         if (seen_[cell].is_known) return;
         (settings_[places_[cell]->setting].needs_maps ? unseen_with_maps : unseen).insert(cell);
@@ -339,21 +384,21 @@ std::vector<std::size_t> Narrowing::next_round() const {
             for (const std::size_t cell : chosen_of_ladder(contest, judged, ladder))
                 look_at(cell);
         }
-        for (std::size_t setting = 0; setting < settings_.size(); ++setting) {
-            if (!judged.is_viable[setting]) continue;
-            const bool is_complete = judged.bounds[setting].is_complete;
-            for (const std::size_t view : contest) {
-                const std::size_t cell = *settings_[setting].cells[view];
-                if (is_complete || seen_[cell].time.rounds < first_rounds) visit_unsettled(cell);
-            }
-        }
+        visit_contenders(contest, judged, visited);
+    }
+    // What bounds others is known well enough before they are looked at: a round takes less than a draw of another
+    // cell.
+    const auto is_hardly_known = [this](std::size_t cell) { return seen_[cell].time.rounds < first_rounds; };
+    if (std::ranges::any_of(visited, is_hardly_known)) {
+        std::erase_if(visited, std::not_fn(is_hardly_known));
+        return {visited.begin(), visited.end()};
     }
     for (const SweptSetting& setting : settings_) {
         if (!setting.is_wanted) continue;
         for (const std::optional<std::size_t>& cell : setting.cells) {
             if (!cell) continue;
             look_at(*cell);
-            if (seen_[*cell].time.rounds < wanted_rounds) visit_unsettled(*cell);
+            if (may_be_visited(*cell) && seen_[*cell].time.rounds < wanted_rounds) visited.insert(*cell);
         }
     }
     visited.merge(unseen.empty() ? unseen_with_maps : unseen);

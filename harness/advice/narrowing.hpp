@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -113,6 +114,7 @@ private:
 
     Seen seen_of(std::size_t setting, std::size_t view) const;
     void add_view(std::size_t setting, std::size_t view, Bounds& bounds) const;
+    double rank_from_below(std::size_t setting, std::size_t view) const;
     Bounds bounds_of(std::size_t setting, const Contest& contest) const;
     Judged judge(const Contest& contest) const;
     Standing standing_of(const std::vector<Bounds>& bounds) const;
@@ -127,6 +129,8 @@ private:
     Dominance dominance(std::size_t setting, const Judged& judged) const;
     bool told_apart(double rank, double other) const;
 
+    bool may_be_visited(std::size_t cell) const;
+    void visit_contenders(const Contest& contest, const Judged& judged, std::set<std::size_t>& visited) const;
     std::vector<std::size_t> chosen_of_ladder(const Contest& contest, const Judged& judged,
                                               const std::vector<std::size_t>& ladder) const;
     std::optional<std::size_t> next_rung(const Judged& judged, const std::vector<std::size_t>& ladder) const;

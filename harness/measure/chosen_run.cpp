@@ -247,7 +247,6 @@ private:
         if (draw == measured.sampled.samples.end()) return;
         measured.sampled.stop = rule_->stop(measured.sampled.samples, measured.device_s);
         chooser_.add_times(index, summarize_timing(draw->second, measured.repeats), measured.sampled.stop.has_value());
-        if (measured.sampled.stop) finish(index);
     }
 
     void drop_some() {
@@ -287,7 +286,8 @@ private:
             if (is_recorded_[index]) continue;
             const auto found = measured_.find(index);
             if (found != measured_.end() && found->second.sampled.samples.contains(draw_pass)) {
-                found->second.sampled.stop = is_time_over ? StopReason::time : StopReason::narrowed;
+                std::optional<StopReason>& stop = found->second.sampled.stop;
+                if (!stop) stop = is_time_over ? StopReason::time : StopReason::narrowed;
                 finish(index);
             } else if (std::string reason = chooser_.reason_left_out(index); !reason.empty()) {
                 log_.record(ended_result(cells_[index], CellStatus::skipped, reason));

@@ -43,11 +43,11 @@ struct ChosenOutcome : RunOutcome {
 };
 
 /// Measures cells in rounds as long as `chooser` wants any: all of them stay together from the first to the last round,
-/// so that what is compared in the end was sampled in the same minutes. A cell is finished when the configuration's
-/// rule stops it. In the end those with samples are finished as they are (StopReason::narrowed, or `time` where the
-/// deadline cut them off), and those that were not worth measuring are skipped with the reason; where the deadline came
-/// first, those that may be stay unfinished, for a run that goes on. Interrupted, it leaves all of them unfinished,
-/// with their samples in the folder.
+/// so that what is compared in the end was sampled in the same minutes. The chooser is told when the configuration's
+/// rule would stop a cell. In the end those with samples are finished as they are (where the rule does not stop them
+/// StopReason::narrowed, or `time` where the deadline cut them off), and those that were not worth measuring are
+/// skipped with the reason; where the deadline came first, those that may be stay unfinished, for a run that goes on.
+/// Interrupted, it leaves all of them unfinished, with their samples in the folder.
 ChosenOutcome run_chosen_cells(CellSource& source, const Configuration& configuration, const std::vector<Cell>& cells,
                                RunWriter& writer, CellChooser& chooser,
                                const std::function<void(const Progress&)>& on_progress, const Clock& clock,
