@@ -137,7 +137,7 @@ private:
 
     void say_presets(const ViewAdvice& view) {
         for (std::size_t at = 0; at < std::min(max_presets, view.presets.size()); ++at) {
-            const auto& [preset, better] = view.presets[at];
+            const auto& [preset, better, cheaper] = view.presets[at];
             const auto title = sweep_.preset_titles.find(preset.preset);
             std::string words =
                 fmt::format("{} ({}): {}", title == sweep_.preset_titles.end() ? preset.preset : title->second,

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/suggest.hpp"
 #include "report/advice_format.hpp"
+#include "report/engine_answers.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -36,6 +37,14 @@ ExitCode advise_from_run(const AdviseOptions& options) {
     std::vector<StoredRun> runs = read_stored_runs({options.run});
     keep_cells(runs, options.cells);
     const std::vector<CellResult>& cells = runs.front().run.cells;
+    if (options.request.is_empty()) {
+        const Json& record = runs.front().run.run;
+        if (const std::optional<Advice> engines = answer_engines(cells, record)) {
+            print_results(format == AdviceFormat::json ? to_json(*engines).dump(2) + '\n'
+                                                       : format_engines(*engines, record, table_columns()));
+            return ExitCode::done;
+        }
+    }
     const AdviceRequest request = options.request.request(ranking_figure(cells), runs);
     print_results(format_advice(advise(cells, request, runs.front().run.run), format, table_columns()));
     return ExitCode::done;
@@ -89,6 +98,7 @@ void add_advise_command(CLI::App& app, ChosenCommand& chosen, const std::vector<
         "  it are shown; with a limit on an error the cheapest that keeps to all limits. Kinds of view (angle,\n"
         "  resolution, ...) are answered one by one, each by the worst of its height maps and azimuths. Settings with\n"
         "  missed + false hits above 0.5 % of the footprint are no advice.\n"
+        "Without any limit, of a run with presets: what each pays and misses, and what is better for no more time.\n"
         "With --map all techniques are measured that fit the map and the device, with sample counts on a ladder and\n"
         "  with engines' presets, from three azimuths; what cannot be the answer is dropped as soon as that shows. It\n"
         "  ends when everything is decided, or the time (--time) is over. The same command goes on where it ended.\n"
@@ -96,6 +106,7 @@ void add_advise_command(CLI::App& app, ChosenCommand& chosen, const std::vector<
         "Example: reliefbench advise --map heights.png --budget 2ms --view-angle 60,75 --resolution 1280x720\n"
         "Example: reliefbench advise --map heights.png --albedo colours.png --height-scale 0.1 --flip 0.02\n"
         "Example: reliefbench advise results/mine --budget 2ms\n"
+        "Example: reliefbench advise results/engines\n"
         "Example: reliefbench advise results/mine --flip 0.02 --uv 0.5 --format json\n");
     command->callback([&chosen, options, command] {
         chosen = [options, command] { return advise_from_map_or_run(*options, *command); };

@@ -55,6 +55,10 @@ void AdviseRequestOptions::add_to(CLI::App& command) {
         ->type_name("FIGURE");
 }
 
+bool AdviseRequestOptions::is_empty() const {
+    return budget.empty() && !flip && !uv && !shadow && limits.empty() && rank_by.empty();
+}
+
 AdviceRequest AdviseRequestOptions::request(const FigureDeclaration& ranking, std::span<const StoredRun> runs) const {
     AdviceRequest request;
     const auto limit = [&](const FigureDeclaration* figure, const std::optional<double>& value) {

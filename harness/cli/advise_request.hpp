@@ -25,6 +25,8 @@ struct AdviseRequestOptions {
     std::string rank_by;
 
     void add_to(CLI::App& command);
+    /// Nothing is asked for, no figure to rank by either.
+    bool is_empty() const;
     /// `ranking`: the figure of --flip, and of the rank unless --rank-by names another. Figures may be those that
     /// `runs` declare. No limit at all is an Error, and so are figures without a direction.
     AdviceRequest request(const FigureDeclaration& ranking, std::span<const StoredRun> runs) const;

@@ -189,7 +189,7 @@ private:
 
     void add(AdvisedSetting setting) {
         ++answer_.settings;
-        if (!setting.preset.empty()) answer_.presets.push_back({.preset = setting, .better = {}});
+        if (!setting.preset.empty()) answer_.presets.push_back({.preset = setting, .better = {}, .cheaper = {}});
         if (setting.wrong_hits > wrong_hits_limit) {
             ++answer_.wrong;
             answer_.wrong_within_limits += keeps_to_limits(setting) ? 1 : 0;
@@ -309,6 +309,17 @@ private:
         }
     }
 
+    void answer_cheaper(PresetAdvice& of) const {
+        const AdvisedSetting* cheaper = nullptr;
+        for (const AdvisedSetting& setting : settings_) {
+            const bool is_as_good = !ranks_before(of.preset, setting) || !told_apart_by_error(setting, of.preset);
+            const bool is_faster = setting.ci95_ms.high < of.preset.ci95_ms.low;
+            if (!setting.preset.empty() || !is_as_good || !is_faster) continue;
+            if (cheaper == nullptr || is_cheaper(setting, *cheaper)) cheaper = &setting;
+        }
+        if (cheaper != nullptr) of.cheaper = *cheaper;
+    }
+
     void answer_presets() {
         for (PresetAdvice& each : answer_.presets) {
             const AdvisedSetting* better = nullptr;
@@ -320,6 +331,7 @@ private:
                 if (better == nullptr || ranks_before(setting, *better)) better = &setting;
             }
             if (better != nullptr) each.better = *better;
+            answer_cheaper(each);
         }
         const std::optional<AdvisedSetting>& centre = answer_.best ? answer_.best : answer_.nearest;
         if (!centre) return;

@@ -244,7 +244,9 @@ Json to_json(const Advice& advice, const ViewAdvice& view) {
     json["next_better"] = to_json(advice, view.next_better);
     if (!view.presets.empty()) json["presets"] = Json::array();
     for (const PresetAdvice& each : view.presets)
-        json["presets"].push_back({{"preset", to_json(advice, each.preset)}, {"better", to_json(advice, each.better)}});
+        json["presets"].push_back({{"preset", to_json(advice, each.preset)},
+                                   {"better", to_json(advice, each.better)},
+                                   {"cheaper", to_json(advice, each.cheaper)}});
     json["settings"] = view.settings;
     json["incomplete"] = view.incomplete;
     json["wrong"] = view.wrong;

@@ -2,7 +2,9 @@
 
 #include "compare/deciding_figures.hpp"
 #include "core/error.hpp"
+#include "report/advice_format.hpp"
 #include "report/cautions.hpp"
+#include "report/engine_answers.hpp"
 #include "report/page_cells.hpp"
 #include "report/page_comparison.hpp"
 #include "report/page_pictures.hpp"
@@ -57,6 +59,8 @@ Json run_to_json(const PageRun& run) {
     json["record"] = run.stored.run.run;
     json["record"].erase("figures");  // the page has one list for all runs
     json["summary"] = run.summary ? *run.summary : Json(nullptr);
+    const std::optional<Advice> engines = answer_engines(run.stored.run.cells, run.stored.run.run);
+    json["engines"] = engines ? to_json(*engines) : Json(nullptr);
     json["cautions"] = cautions(run.stored.run.cells, run.stored.run.run);
     json["cells"] = cells_to_columns(run.stored.run.cells);
     json["samples"] = samples_to_columns(run.samples, run.stored.run.cells);

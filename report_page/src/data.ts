@@ -52,12 +52,38 @@ export interface CellPictures {
   left_out: number;
 }
 
+/** A technique with parameters by its worst view of a kind. */
+export interface EngineSetting {
+  setting: string;
+  technique: string;
+  preset?: string;
+  ms: number;
+  ci95_ms: [number, number];
+  ns_per_pixel: number | null;
+  /** Missed and false hits, a fraction of the footprint. */
+  wrong_hits: number;
+  /** By path. */
+  figures: Record<string, number | null>;
+}
+
+export interface EngineAnswers {
+  rank_by: string;
+  views: {
+    axes: Record<string, Json>;
+    views: string[];
+    /** By their times. */
+    presets?: { preset: EngineSetting; better: EngineSetting | null; cheaper: EngineSetting | null }[];
+  }[];
+}
+
 export interface RunData {
   name: string;
   record: { [key: string]: Json };
   summary: { [key: string]: Json } | null;
   /** What whoever reads the figures has to know first, in words. */
   cautions: string[];
+  /** Of runs with presets (harness/report/engine_answers.hpp). */
+  engines: EngineAnswers | null;
   cells: Cells;
   samples: PassSamples[];
   pictures: CellPictures;

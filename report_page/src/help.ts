@@ -1,7 +1,7 @@
 import { h } from "./dom.ts";
 
 const keys: [string, string][] = [
-  ["1 … 8", "the views, in the order of their tabs"],
+  ["1 … 9", "the views, in the order of their tabs"],
   ["j  k", "pin the next, the previous cell"],
   ["Space", "Pictures: flip between truth and technique"],
   ["← → ↑ ↓", "Pictures: move the magnifier by a pixel (with Shift: ten)"],

@@ -15,11 +15,13 @@ import { axesView } from "./views/axes.ts";
 import { cellsView } from "./views/cells.ts";
 import { changesView } from "./views/changes.ts";
 import { costView } from "./views/cost.ts";
+import { enginesView } from "./views/engines.ts";
 import { picturesView } from "./views/pictures.ts";
 import { runView } from "./views/run.ts";
 import { timingView } from "./views/timing.ts";
 
-const makers = [costView, adviceView, axesView, picturesView, timingView, changesView, cellsView, runView];
+// A run of engines' presets was made for what the first says.
+const makers = [enginesView, costView, adviceView, axesView, picturesView, timingView, changesView, cellsView, runView];
 
 interface Shell {
   app: App;

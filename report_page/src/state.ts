@@ -1,6 +1,6 @@
 // What the page shows, as plain data. It lives in the URL's fragment, so that a link leads to a view.
 
-export const viewNames = ["cost", "advice", "axes", "pictures", "timing", "changes", "cells", "run"] as const;
+export const viewNames = ["engines", "cost", "advice", "axes", "pictures", "timing", "changes", "cells", "run"] as const;
 export type ViewName = (typeof viewNames)[number];
 
 export type PointsMode = "cells" | "mean" | "worst";
@@ -8,7 +8,8 @@ export const pictureModes = ["side", "slider", "flip", "variants"] as const;
 export type PictureMode = (typeof pictureModes)[number];
 
 export interface State {
-  view: ViewName;
+  /** "": the first that there is. */
+  view: ViewName | "";
   /** Which of the runs. */
   run: number;
   /** Paths of figures; "" leaves the choice to the page. */
@@ -39,7 +40,7 @@ export interface State {
 }
 
 export const defaultState: Readonly<State> = {
-  view: "cost",
+  view: "",
   run: 0,
   cost: "",
   error: "",

@@ -66,6 +66,22 @@ testsOfPage(() => {
     pictures: Object.fromEntries(["lod0", "mip", "anisotropic"].map((filter, at) => [filteredCell(filter).cell, filteredPicture(at)])),
   });
   write("large", largeRun(10_000), { rounds: 3 });
+  const preset = (cell) => ({ ...cell, cell: cell.cell.replace(" |", " preset=engine |"), preset: "engine" });
+  write(
+    "engines",
+    [
+      preset(measured({ technique: "pom", ms: 2, uv: 4, missed: 0.02 })),
+      measured({ technique: "qdm", ms: 1.5, uv: 0.1 }),
+    ],
+    {
+      more: {
+        presets: {
+          pom: { engine: { title: hostile, source: "engine, a.glsl at 1a", parameters: {}, not_expressed: "Its fade." } },
+        },
+      },
+    },
+  );
+  report("engines", "engines");
   report("small", "small");
   report("changes", "small", "slower");
   report("troubled", "troubled");
@@ -427,6 +443,19 @@ test("keys reach every view, cell, theme and the help", async () => {
   assert.ok(await page.locator("dialog").isVisible());
   await page.keyboard.press("Escape");
   assert.ok(!(await page.locator("dialog").isVisible()));
+});
+
+test("a run of engines' presets opens on what they pay, what they miss, and what is better", async () => {
+  await open("engines");
+  assert.equal(await page.textContent("nav [aria-current=page]"), "Engines");
+  const row = await page.textContent(".engines tbody tr");
+  assert.ok(row.includes(hostile), "the title, as text");
+  assert.match(row, /2\.00 ms.*⚠ 2\.0 %.*qdm.*0\.00100.*1\.50 ms/s);
+  assert.match(await page.textContent(".engine-sources"), /engine, a\.glsl at 1a.*Its fade\./s);
+  await page.keyboard.press("2");
+  assert.equal(await page.textContent("nav [aria-current=page]"), "Quality against cost");
+  await open("small");
+  assert.deepEqual((await texts("nav button"))[0], "Quality against cost", "a run without presets has no such view");
 });
 
 test("failed and skipped cells are there with their reasons, and no text becomes markup", async () => {

@@ -4,7 +4,8 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { deflateSync } from "node:zlib";
 
-const record = (name, device, truth) => ({
+const record = (name, device, truth, more) => ({
+  ...more,
   configuration: { name, truth, images: false, axes: { view_angle: [0, 60] } },
   environment: {
     tool_version: "0.1.0",
@@ -142,11 +143,11 @@ export function unmeasured({ technique, axes = {}, status, reason }) {
 export function writeRun(
   folder,
   cells,
-  { name = "test", device = "test device", rounds = 9, samples = 2, pictures = {}, truth = { kind: "exact" } } = {},
+  { name = "test", device = "test device", rounds = 9, samples = 2, pictures = {}, truth = { kind: "exact" }, more = {} } = {},
 ) {
   mkdirSync(folder, { recursive: true });
   const lines = (values) => values.map((value) => `${JSON.stringify(value)}\n`).join("");
-  writeFileSync(join(folder, "run.json"), JSON.stringify(record(name, device, truth)));
+  writeFileSync(join(folder, "run.json"), JSON.stringify(record(name, device, truth, more)));
   writeFileSync(join(folder, "cells.jsonl"), lines(cells));
   const visits = [];
   for (const { cell, time } of cells) {

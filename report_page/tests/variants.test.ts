@@ -19,6 +19,7 @@ function runOf(rows: SampleCell[], truth: number[], technique: number[], samples
     record: { configuration: { truth: settings } },
     summary: null,
     cautions: [],
+    engines: null,
     cells: cellsOf(rows),
     samples: [],
     pictures: { technique, truth, maps: {}, legends: {}, step: 1, left_out: 0 },
