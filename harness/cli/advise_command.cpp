@@ -56,7 +56,7 @@ ExitCode advise_from_map_or_run(const AdviseOptions& options, const CLI::App& co
         fail("advise needs the folder of a run, or a height map to measure: --map heights.png");
     if (!has_map) {
         for (const CLI::Option* option : options.of_map) {
-            if (option->count() > 0)
+            if (option->count() > 0 && option->get_envname().empty())
                 fail("{} says how a height map is measured: give it with --map", option->get_name());
         }
         return advise_from_run(options);

@@ -248,5 +248,52 @@ TEST(Advice, UnmeasuredCellsGiveNone) {
     EXPECT_THAT(error_message([&] { ask({failed}, {budget(1)}); }), HasSubstr("no measured cell"));
 }
 
+TEST(Advice, ForAllKindsOfViewTogetherASettingKeepsToTheLimitsInEachAndHasItsWorst) {
+    const std::vector<CellResult> cells = {
+        measured("steep n=8", {.ms = 1, .flip = 0.1}, 60),   measured("steep n=8", {.ms = 1.5, .flip = 0.2}, 75),
+        measured("steep n=16", {.ms = 2, .flip = 0.05}, 60), measured("steep n=16", {.ms = 3, .flip = 0.1}, 75),
+        measured("pom", {.ms = 1.2, .flip = 0.01}, 60),
+    };
+    AdviceRequest request{.limits = {budget(2.5)}, .rank_by = find_figure("image.footprint.flip")};
+    EXPECT_FALSE(advise(cells, request).all_views);
+    request.asks_for_all_views = true;
+    const Advice advice = advise(cells, request);
+    ASSERT_TRUE(advice.all_views);
+    EXPECT_EQ(advice.views.at(0).best->setting, "pom");
+    EXPECT_EQ(advice.all_views->best->setting, "steep n=8");
+    EXPECT_EQ(advice.all_views->best->ms, 1.5);
+    EXPECT_EQ(advice.all_views->best->figures.front(), 0.2);
+    EXPECT_EQ(advice.all_views->next_better.at(0).setting, "steep n=16");
+    EXPECT_EQ(advice.all_views->incomplete, 1U);
+}
+
+TEST(Advice, PresetsComeByTheirPriceWithWhatTheirPriceWouldBuy) {
+    std::vector<CellResult> cells = {
+        measured("pom preset=near max_steps=4", {.ms = 2.2, .flip = 0.1}),
+        measured("pom preset=far", {.ms = 9, .flip = 0.02, .wrong = 0.03}),
+        measured("pom preset=best", {.ms = 2.3, .flip = 0.01}),
+        measured("steep", {.ms = 2, .flip = 0.05}),
+        measured("qdm", {.ms = 8, .flip = 0.0101}),
+    };
+    for (CellResult& cell : cells) {
+        const std::size_t at = cell.cell.find("preset=");
+        if (at != std::string::npos) cell.preset = cell.cell.substr(at + 7, cell.cell.find(' ', at) - at - 7);
+        cell.parameters = {{"max_steps", 4}, {"min_steps", 1}};
+    }
+    const AdviceRequest request{.limits = {budget(2.1)}, .rank_by = find_figure("image.footprint.flip")};
+    const ViewAdvice view = advise(cells, request).views.at(0);
+    EXPECT_EQ(view.best->setting, "steep");
+    ASSERT_EQ(view.presets.size(), 3U);
+    EXPECT_EQ(view.presets[0].preset.preset, "near");
+    EXPECT_EQ(view.presets[0].better->setting, "steep");
+    EXPECT_EQ(view.presets[0].preset.selection,
+              Json::parse(R"({"technique": "pom", "preset": "near", "parameters": {"max_steps": 4}})"));
+    EXPECT_EQ(view.presets[1].preset.preset, "best");
+    EXPECT_FALSE(view.presets[1].better);
+    EXPECT_EQ(view.presets[2].preset.preset, "far");
+    EXPECT_EQ(view.presets[2].better->setting, "qdm");
+    EXPECT_EQ(view.best->selection, Json::parse(R"({"technique": "steep"})"));
+}
+
 }  // namespace
 }  // namespace reliefbench
