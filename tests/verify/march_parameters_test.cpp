@@ -136,6 +136,34 @@ TEST_F(MarchParameters, LayersFallWithTheDistance) {
     EXPECT_EQ(steps_through(parallel_view(60), values(1)), 51U) << "parallel rays come from no distance";
 }
 
+/// The base's points lie elsewhere than the plane's. What answers with the polygon tells where.
+TEST_F(MarchParameters, LayersFallWithTheDistanceToACurvedBase) {
+    View view = repeating(perspective_view(50, -70));
+    const CoordinateScene floor(device(), map_of({16, 16}, [](int, int) { return 0.0; }));
+    const Probe plane = compare("flat", {}, floor, view).probe;
+    view.relief.base = load_base({.kind = BaseSource::Kind::cylinder, .curvature = 1.5, .segments = 64});
+    const Probe base = compare("flat", {}, floor, view).probe;
+    const double end = 3;
+    const ParameterValues values =
+        with(ten_to_fifty_one, {{"adaptive_by", std::string("distance")}, {"steps_end_distance", end}});
+    const Probe marched = compare("steep", values, floor, view).probe;
+    int compared = 0;
+    double from_plane = 0;
+    for (std::size_t i = 0; i < base.hits.texels.size(); ++i) {
+        if (!base.hits.texels[i].is_hit() || !plane.hits.texels[i].is_hit()) continue;
+        const double layers = std::max(10.0, 51 * (1 - base.hits.texels[i].t / end));
+        // Single floats decide what is cut off there.
+        if (std::abs(layers - std::round(layers)) < 1e-3) continue;
+        ASSERT_EQ(marched.work.texels[i].steps, std::floor(layers)) << i;
+        from_plane = std::max(from_plane, double(std::abs(base.hits.texels[i].t - plane.hits.texels[i].t)));
+        ++compared;
+    }
+    EXPECT_GT(compared, 1000);
+    EXPECT_GT(from_plane, 0.05);
+    view.camera.projection = Projection::parallel;
+    EXPECT_EQ(compare("steep", values, floor, view).probe.work.at(40, 40).steps, 51U);
+}
+
 /// Of texels as wide as a pixel the ray crosses the fewer the farther away it is seen.
 TEST_F(MarchParameters, LayersFollowTheTexelsOfTheLevelRead) {
     View view = parallel_view(60);
@@ -259,7 +287,7 @@ TEST_F(MarchParameters, GradientsOfTheEntryAndOneLevelForAllStepsAgree) {
     EXPECT_GT(gradients.probe.work.at(40, 40).taps, 0U);
 }
 
-/// Over a base bent by hand, too, and with layers that are moved.
+/// Over a curved base and one bent by hand, too, and with layers that are moved.
 TEST_F(MarchParameters, FourTapsAtATimeFindTheSameHits) {
     const CoordinateScene rock(device(), procedural("rock", {96, 64}));
     const View view = perspective_view(70, -70);
@@ -269,10 +297,14 @@ TEST_F(MarchParameters, FourTapsAtATimeFindTheSameHits) {
         {"secant", {{"max_steps", std::int64_t{13}}}},
         {"relief", {{"start_offset", std::string("gradient_noise")}}},
         {"contact_refinement", {{"adaptive", false}}},
-        {"pom", {{"hand_curvature", std::string("constant")}, {"curvature_along_u", 3.0}}}};
+        {"pom", {{"hand_curvature", std::string("constant")}, {"curvature_along_u", 3.0}}},
+        {"pom", {{"ray_model", std::string("quadric_uv")}}}};
     for (const auto& [technique, values] : marches) {
-        const Probe one = compare(technique, values, rock, view).probe;
-        const Probe four = compare(technique, with(values, {{"tap_batch", std::string("four")}}), rock, view).probe;
+        View seen = view;
+        if (values.contains("ray_model"))
+            seen.relief.base = load_base({.kind = BaseSource::Kind::cylinder, .curvature = 1.5, .segments = 64});
+        const Probe one = compare(technique, values, rock, seen).probe;
+        const Probe four = compare(technique, with(values, {{"tap_batch", std::string("four")}}), rock, seen).probe;
         EXPECT_EQ(four.hits.texels, one.hits.texels) << technique;
         int more = 0;
         for (std::size_t i = 0; i < one.work.texels.size(); ++i) {

@@ -77,6 +77,19 @@ float layer_count(ReliefRay ray) {
     return step_rounding == step_rounding_fractional ? layers : floor(layers);
 }
 
+#ifdef TAP_BATCH_FOUR
+// Whether the march goes on. Layers that are not moved are counted, as where the last one lies is a quotient, which
+// devices round differently.
+bool has_layers_left(ReliefRay ray, Crossing crossing, float layers) {
+#ifdef RELIEFBENCH_START_OFFSET
+    bool left = crossing.s_below < end_of_ray(ray);
+#else
+    bool left = float(crossing.steps) < layers;
+#endif
+    return left && crossing.h_below < height_of_ray(ray, crossing.s_below);
+}
+#endif
+
 // Where the ray first passes beneath the surface, between two neighbouring layers. The last layer lies at the ray's end,
 // at h = 0, where every ray is at or beneath the surface: a crossing is always found, but by bent rays that end at h = 1.
 // Of a fractional number of layers the last is thinner, and comes and goes without a jump.
@@ -90,13 +103,12 @@ Crossing find_crossing(ReliefRay ray, float layers) {
 #else
     float first = 1.0;
 #endif
-    while (crossing.s_below < end_of_ray(ray) && crossing.h_below < height_of_ray(ray, crossing.s_below)) {
+    while (has_layers_left(ray, crossing, layers)) {
         vec4 along = min((float(crossing.steps) + vec4(0.0, 1.0, 2.0, 3.0) + first) / layers, 1.0) * end_of_ray(ray);
         // None of them depends on what another finds.
         vec4 heights = vec4(tap_along(ray, along.x), tap_along(ray, along.y), tap_along(ray, along.z),
                             tap_along(ray, along.w));
-        for (int i = 0; i < 4; ++i) {
-            if (crossing.s_below >= end_of_ray(ray) || crossing.h_below >= height_of_ray(ray, crossing.s_below)) break;
+        for (int i = 0; i < 4 && has_layers_left(ray, crossing, layers); ++i) {
             crossing.s_above = crossing.s_below;
             crossing.h_above = crossing.h_below;
             crossing.s_below = along[i];
