@@ -43,7 +43,7 @@ const std::vector<std::string> axes = words(
 // Those that techniques of contract 1 could not know.
 const std::vector<std::string> axes_since_contract_2 = words(
     "base curvature base_segments base_fit material_filter anisotropy mip_bias material_gradients samples_per_pixel "
-    "frames preset");
+    "frames preset polygon_height");
 
 const std::vector<std::string> type_stems = words("vec ivec uvec bvec dvec fvec hvec mat dmat");
 

@@ -29,7 +29,11 @@ FigureValueList errors_of(const DrawnCell& drawn, const Lighting& lighting, bool
         std::move(family.begin(), family.end(), std::back_inserter(all));
     };
     add(figures_of(compare_outlines(hits)));
-    if (drawn.draws_base) add(figures_of_raster_mismatch(raster_mismatch(probe.covered, truth.footprint)));
+    // A polygon within a relief that ends at its border shows pixels that are not of the footprint (is_in_footprint).
+    const Relief& relief = drawn.relief;
+    const bool shows_footprint = relief.polygon_height == 1 || relief.boundary == Boundary::repeat;
+    if (drawn.draws_base && shows_footprint)
+        add(figures_of_raster_mismatch(raster_mismatch(probe.covered, truth.footprint)));
     if (truth.front) add(figures_of_wrong_surface(wrong_surface(*probe.front, *truth.front, truth.footprint)));
     if (self_shadow) {
         ShadowErrors shadow = compare_shadows(probe.light_visibility, truth.light_visibility.fractions, hits, lighting);

@@ -36,10 +36,10 @@ std::string text_of(const BaseSurface& base) {
 std::string text_of(const View& view) {
     const Camera& camera = view.camera;
     const Relief& relief = view.relief;
-    return fmt::format("camera {} {} {} {} {} {} {}\nrelief {} {} {}\nbase {}\nresolution {}x{}\nshadows {}\n",
+    return fmt::format("camera {} {} {} {} {} {} {}\nrelief {} {} {} {}\nbase {}\nresolution {}x{}\nshadows {}\n",
                        to_string(camera.projection), camera.view_angle, camera.azimuth, camera.distance, camera.fov,
                        camera.shift.x, camera.shift.y, relief.height_scale, relief.tiling, to_string(relief.boundary),
-                       text_of(relief.base), view.resolution.width, view.resolution.height,
+                       relief.polygon_height, text_of(relief.base), view.resolution.width, view.resolution.height,
                        static_cast<int>(view.self_shadow.mode));
 }
 

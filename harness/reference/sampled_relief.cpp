@@ -19,8 +19,8 @@ void SampledReliefOverPlane::see(std::span<const Ray> rays, std::span<SurfaceSam
     trace_(rays, hits);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         SurfaceSample& sample = samples[i];
-        sample.is_hit = hits[i].has_value() && (view_.relief.boundary == Boundary::clip ||
-                                                footprint_entry(rays[i], view_.relief.base).has_value());
+        sample.is_hit =
+            hits[i].has_value() && (view_.relief.boundary == Boundary::clip || is_in_footprint(rays[i], view_.relief));
         if (!sample.is_hit) continue;
         const ExactHit& hit = *hits[i];
         sample.t = hit.t;

@@ -57,7 +57,7 @@ Truth trace_hits(const View& view, const Trace& trace) {
         places.reserve(pixels.size());
         for (const PixelPlace& pixel : pixels) {
             const Ray ray = pixel_ray.at(pixel.column, pixel.row);
-            const bool inside = footprint_entry(ray, view.relief.base).has_value();
+            const bool inside = is_in_footprint(ray, view.relief);
             truth.footprint.at(pixel.column, pixel.row) = inside ? in_footprint : 0;
             if (!inside && view.relief.boundary == Boundary::repeat) continue;
             rays.push_back(ray);

@@ -53,6 +53,7 @@ CameraFrame camera_frame(const Camera& camera) {
     const glm::dvec3 to_eye{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
     CameraFrame frame;
     frame.eye = camera.distance * to_eye;
+    frame.eye.z += camera.target_height;
     frame.forward = -to_eye;
     frame.up = {-std::cos(theta) * std::cos(phi), -std::cos(theta) * std::sin(phi), std::sin(theta)};
     frame.right = glm::cross(frame.forward, frame.up);
@@ -64,6 +65,7 @@ PixelRays::PixelRays(const Camera& camera, Resolution resolution, const Parallel
       resolution_(resolution),
       window_(window),
       shift_(camera.shift),
+      target_height_(camera.target_height),
       frame_(camera_frame(camera)) {
     assert(resolution.width > 0 && resolution.height > 0);
     const glm::dvec2 extent = half_extent(camera, resolution);
@@ -76,9 +78,12 @@ Ray PixelRays::at(double i, double j) const {
     const double down = (j + 0.5) / resolution_.height + shift_.y;
     if (parallel_) {
         const glm::dvec2 size = window_.high - window_.low;
-        const glm::dvec3 place{window_.low.x + across * size.x, window_.high.y - down * size.y, 0.0};
-        if (window_.top == 0) return {place, frame_.forward};
-        return {place + frame_.forward * (window_.top / frame_.forward.z), frame_.forward};
+        const glm::dvec3 place{window_.low.x + across * size.x, window_.high.y - down * size.y, target_height_};
+        if (window_.top == target_height_) return {place, frame_.forward};
+        glm::dvec3 origin = place + frame_.forward * ((window_.top - target_height_) / frame_.forward.z);
+        // Not beneath it by rounding: whoever starts there has not entered the relief.
+        if (target_height_ != 0) origin.z = window_.top;
+        return {origin, frame_.forward};
     }
     return {frame_.eye, glm::normalize(frame_.forward + across_ * (2 * across - 1) + upwards_ * (1 - 2 * down))};
 }
@@ -87,7 +92,7 @@ std::optional<glm::dvec2> PixelRays::project(glm::dvec3 point) const {
     double across = 0;
     double down = 0;
     if (parallel_) {
-        const glm::dvec3 entry = point - frame_.forward * (point.z / frame_.forward.z);
+        const glm::dvec3 entry = point - frame_.forward * ((point.z - target_height_) / frame_.forward.z);
         const glm::dvec2 size = window_.high - window_.low;
         across = (entry.x - window_.low.x) / size.x;
         down = (window_.high.y - entry.y) / size.y;
@@ -149,6 +154,10 @@ glm::dmat4 parallel_clip(const Camera& camera, const ParallelWindow& window) {
     clip[2] = {-scale.x * slide_x, scale.y * slide_y, -1 / window.depth, 0};
     // From 0, so that a centred window leaves no negative zero.
     clip[3] = {0 - scale.x * centre.x, scale.y * centre.y, window.top / window.depth, 1};
+    if (camera.target_height != 0) {
+        clip[3].x += scale.x * slide_x * camera.target_height;
+        clip[3].y -= scale.y * slide_y * camera.target_height;
+    }
     return shifted(clip, camera);
 }
 

@@ -31,6 +31,9 @@ struct Camera {
     /// How far beside the pixels' centres their rays run, to the right and downwards, as fractions of the picture's
     /// width and height: a frame of a sequence has another one than the next.
     glm::dvec2 shift{0, 0};
+    /// z of the point that it looks at, and of the plane that parallel rays fill the picture in: where the polygon lies
+    /// (set_polygon_height in scene/relief.hpp).
+    double target_height = 0;
 
     bool operator==(const Camera&) const = default;
 };
@@ -42,7 +45,7 @@ struct Camera {
 /// its pixel.
 glm::dvec2 frame_shift(int frame, int frames, Resolution resolution, int samples_per_pixel = 1);
 
-/// Orthonormal; for perspective `eye` = distance·(sinθ·cosφ, sinθ·sinφ, cosθ), looking at the origin. For parallel
+/// Orthonormal; for perspective `eye` = distance·(sinθ·cosφ, sinθ·sinφ, cosθ) from what it looks at. For parallel
 /// rays `forward` is every ray's direction and `eye` is unused.
 struct CameraFrame {
     glm::dvec3 eye;
@@ -53,8 +56,8 @@ struct CameraFrame {
 
 CameraFrame camera_frame(const Camera& camera);
 
-/// The rectangle of z = 0 through which parallel rays fill the picture; the unit square unless a base surface reaches
-/// beyond it (scene/surface).
+/// The rectangle of the plane at `target_height` through which parallel rays fill the picture; the unit square unless a
+/// base surface reaches beyond it (scene/surface).
 struct ParallelWindow {
     glm::dvec2 low{-0.5, -0.5};
     glm::dvec2 high{0.5, 0.5};
@@ -80,6 +83,7 @@ private:
     Resolution resolution_;
     ParallelWindow window_;
     glm::dvec2 shift_;
+    double target_height_;
     CameraFrame frame_;
     /// `right` and `up` times the tangents of the half angles that the picture spans.
     glm::dvec3 across_;
@@ -93,8 +97,8 @@ double cosine_of_picture_corner(const Camera& camera, Resolution resolution);
 /// depth = 1 − near/(view depth), an infinite far plane, so that nothing is cut off however far a grazing ray travels.
 glm::dmat4 perspective_clip(const Camera& camera, Resolution resolution, double near);
 
-/// The same for parallel rays: an oblique affine projection that slides points along the rays onto z = 0, where the
-/// window fills the target; depth is then (top − z)/depth of the window.
+/// The same for parallel rays: an oblique affine projection that slides points along the rays onto the plane at
+/// `target_height`, where the window fills the target; depth is then (top − z)/depth of the window.
 glm::dmat4 parallel_clip(const Camera& camera, const ParallelWindow& window);
 
 }  // namespace reliefbench

@@ -20,6 +20,24 @@ View frame_of(View view, int frame) {
     return view;
 }
 
+double polygon_z(const Relief& relief) {
+    return (relief.polygon_height - 1) * relief.height_scale;
+}
+
+void set_polygon_height(View& view, double height) {
+    view.relief.polygon_height = height;
+    view.camera.target_height = polygon_z(view.relief);
+}
+
+bool is_in_footprint(const Ray& ray, const Relief& relief) {
+    const bool enters = footprint_entry(ray, relief.base).has_value();
+    if (relief.polygon_height == 1) return enters;
+    if (ray.direction.z >= 0 || (!enters && relief.boundary == Boundary::clip)) return false;
+    const double t = (polygon_z(relief) - ray.origin.z) / ray.direction.z;
+    const glm::dvec2 place = glm::dvec2(ray.origin) + t * glm::dvec2(ray.direction) + 0.5;
+    return t >= 0 && place.x >= 0 && place.x <= 1 && place.y >= 0 && place.y <= 1;
+}
+
 glm::dvec3 surface_point(const Relief& relief, double u, double v, double h) {
     return base_point(flat_base(relief.base), {u, v}, (h - 1) * relief.height_scale);
 }

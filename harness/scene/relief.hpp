@@ -30,6 +30,9 @@ struct Relief {
     double tiling = 1;
     Boundary boundary = Boundary::clip;
     BaseSurface base = {};
+    /// Of a flat base: the height of the relief at which the polygon lies that is drawn for it, in [0, 1]. The relief
+    /// stays where it is, between z = 0 and z = −height_scale; what is higher stands above the polygon.
+    double polygon_height = 1;
 
     bool operator==(const Relief&) const = default;
 };
@@ -80,10 +83,21 @@ View frame_of(View view, int frame);
 /// h = 1 or passes its edge must not depend on rounding. harness/shaders/contract/relief.glsl has the same.
 constexpr double entry_tolerance = 0x1p-20;
 
+/// z of the polygon, at most 0.
+double polygon_z(const Relief& relief);
+
+/// Lowers polygon and camera to that height of the relief, whose height scale is known.
+void set_polygon_height(View& view, double height);
+
+/// Whether the ray belongs to the footprint F: it crosses the polygon within the unit square, and where the relief ends
+/// at its border (clip) enters it within the square, too: what comes in through the side is seen by no search that
+/// begins at the top.
+bool is_in_footprint(const Ray& ray, const Relief& relief);
+
 /// S over (u, v) at the height h, of a relief on a flat base.
 glm::dvec3 surface_point(const Relief& relief, double u, double v, double h);
 
-/// The patch coordinates at which the ray enters through a flat base; empty outside of the footprint F.
+/// The patch coordinates at which the ray enters through a flat base; empty outside of the unit square.
 std::optional<glm::dvec2> footprint_entry(const Ray& ray, const BaseSurface& base = {});
 
 PixelRays pixel_rays(const View& view);

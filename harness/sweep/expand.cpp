@@ -257,9 +257,22 @@ std::array<std::string, 3> differing_files(const ViewKey& one, const ViewKey& ot
     return {"albedo", one.height_map.albedo, other.height_map.albedo};
 }
 
+/// Why relief above the polygon cannot be drawn in this view.
+std::string polygon_problem(const ViewKey& key) {
+    const View& view = key.view;
+    if (view.relief.polygon_height == 1) return {};
+    if (!key.base.is_flat()) return "a polygon_height below 1 is known of the plane alone";
+    if (view.depth_write == DepthWrite::conservative)
+        return "relief above the polygon is nearer than it, which depth_write conservative rules out";
+    if (view.camera.projection == Projection::perspective && camera_frame(view.camera).eye.z <= 0)
+        return "the eye would lie beneath the highest relief; move it away or towards head-on";
+    return {};
+}
+
 /// Why there is no relief on this base: it overlaps itself, or the relief would fold. Of a product of axes these are
 /// single cells.
 std::string base_problem(const ViewKey& view) {
+    if (std::string problem = polygon_problem(view); !problem.empty()) return problem;
     const std::string problem = curvature_problem(view.base);
     return problem.empty() ? folding_problem(view.base, view.view.relief.height_scale) : problem;
 }

@@ -26,6 +26,7 @@ constexpr NumberRange azimuths{.minimum = -360, .maximum = 360};
 constexpr NumberRange distances{.minimum = 0, .maximum = 1000, .above_minimum = true};
 constexpr NumberRange fields_of_view{.minimum = 1, .maximum = 170};
 constexpr NumberRange height_scales{.minimum = 0, .maximum = 10, .above_minimum = true};
+constexpr NumberRange polygon_heights{.minimum = 0, .maximum = 1};
 constexpr NumberRange tilings{.minimum = 0, .maximum = 1024, .above_minimum = true};
 
 constexpr const char* no_albedo = "none";
@@ -163,6 +164,13 @@ std::vector<ViewAxis> relief_axes() {
         {.help = "clip: a hit outside the patch is a miss; repeat: the relief goes on for ever",
          .also_called = {"wrap", "clip", "repeat", "address_mode", "border"}},
         {"clip", "repeat"}, [](auto& key) -> auto& { return key.view.relief.boundary; }));
+    axes.push_back(number_axis(
+        "polygon_height",
+        {.unit = "",
+         .help = "height at which the polygon lies: 1, and the relief is sunk into it; 0, and it stands on it",
+         .also_called = {"base_height", "height_base", "height_map_base", "midlevel", "mid_level", "zero_level",
+                         "base_plane", "displacement_bias"}},
+        polygon_heights, [](auto& key) -> auto& { return key.view.relief.polygon_height; }));
     return axes;
 }
 
@@ -279,6 +287,7 @@ ViewKey make_view(const std::vector<ViewChoice>& choices) {
     if (view.base.kind != BaseSource::Kind::file) view.base.fit = BaseSource{}.fit;
     reset_unused(view.view.self_shadow);
     reset_unused(view.view.material);
+    set_polygon_height(view.view, view.view.relief.polygon_height);
     return view;
 }
 

@@ -230,6 +230,7 @@ bool divides_by_own_w(const gpu::Device& device, const View& view) {
 
 std::string declare_rays(const BaseSurface& base, const View& view) {
     std::string text = view.frame ? "#define RELIEFBENCH_FRAMES 1\n" : "";
+    if (view.relief.polygon_height != 1) text += "#define RELIEFBENCH_POLYGON_HEIGHT 1\n";
     if (view.samples_per_pixel > 1) text += fmt::format("#define RELIEFBENCH_SAMPLES {}\n", view.samples_per_pixel);
     if (is_flat(base)) return text;
     text += "#define RELIEFBENCH_CURVED 1\n";

@@ -50,6 +50,7 @@ SceneUniforms make_scene_uniforms(const View& view, const Lighting& lighting, co
     uniforms.window_top = static_cast<float>(window.top);
     uniforms.frame = view.frame.value_or(0);
     uniforms.shift = glm::vec2(view.camera.shift);
+    uniforms.polygon_height = static_cast<float>(view.relief.polygon_height);
     return uniforms;
 }
 

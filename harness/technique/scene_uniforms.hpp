@@ -46,6 +46,9 @@ struct SceneUniforms {
     /// From here on of frames of a sequence only: View::frame and Camera::shift.
     std::int32_t frame;
     glm::vec2 shift;
+    /// Of a polygon that does not lie at h = 1 only: Relief::polygon_height.
+    float polygon_height;
+    float padding;
 };
 static_assert(offsetof(SceneUniforms, eye) == 64);
 static_assert(offsetof(SceneUniforms, light_direction) == 128);
@@ -53,7 +56,8 @@ static_assert(offsetof(SceneUniforms, ambient) == 224);
 static_assert(offsetof(SceneUniforms, resolution) == 272);
 static_assert(offsetof(SceneUniforms, window_low) == 304);
 static_assert(offsetof(SceneUniforms, shift) == 328);
-static_assert(sizeof(SceneUniforms) == 336);
+static_assert(offsetof(SceneUniforms, polygon_height) == 336);
+static_assert(sizeof(SceneUniforms) == 344);
 
 /// The name of the uniform block in harness/shaders/contract/scene.glsl.
 inline constexpr const char* scene_block_name = "scene_block";

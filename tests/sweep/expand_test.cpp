@@ -101,13 +101,35 @@ TEST(Expansion, IdsNameEveryAxisThatIsNotAtItsDefault) {
         axes_to_json(cells[0].view).dump(),
         R"({"heightmap":"rock","heightmap_size":"512x128","height_format":"r32f","view_angle":12.5,)"
         R"("azimuth":22.5,"projection":"perspective","distance":2.0,"fov":60.0,"base":"saddle",)"
-        R"("curvature":-0.5,"base_segments":64,"base_fit":null,"height_scale":0.1,"tiling":4.0,"boundary":"repeat",)"
+        R"("curvature":-0.5,"base_segments":64,"base_fit":null,"height_scale":0.1,"tiling":4.0,"boundary":"repeat","polygon_height":1.0,)"
         R"("resolution":"640x480","self_shadow":"off","soft_shadow":null,)"
         R"("hard_shadow_bias":null,"dykhta_bias":null,"shadow_min_steps":null,"shadow_max_steps":null,)"
         R"("shadow_softening":null,"depth_write":"on","material_filter":"lod0","anisotropy":null,)"
         R"("mip_bias":null,"material_gradients":null,"samples_per_pixel":1,"frames":1})");
     EXPECT_EQ(parameters_to_json(cells[0].parameters).dump(), R"({"bias":0.25,"factor":16})");
     EXPECT_EQ(cell_id(fake_techniques()[3], cells[0].parameters, cells[0].view), cells[0].id);
+}
+
+TEST(Expansion, PolygonsWithinTheReliefMoveTheCameraWithThem) {
+    const std::vector<Cell> cells = expand_text(
+        R"({"techniques": ["plain"], "axes": {"heightmap": "rock", "polygon_height": [1, 0.25], "height_scale": 0.2}})");
+    EXPECT_THAT(ids(cells), ElementsAre("plain | heightmap=rock height_scale=0.2",
+                                        "plain | heightmap=rock height_scale=0.2 polygon_height=0.25"));
+    EXPECT_EQ(cells[0].view.view.camera.target_height, 0);
+    EXPECT_DOUBLE_EQ(cells[1].view.view.camera.target_height, -0.75 * 0.2);
+}
+
+TEST(Expansion, WhereReliefAboveThePolygonCannotBeDrawnCellsAreSkipped) {
+    const auto reason = [](const std::string& more) {
+        return expand_text(R"({"techniques": ["plain"], "axes": {"heightmap": "rock", "polygon_height": 0.5, )" + more +
+                           "}}")
+            .front()
+            .skip_reason;
+    };
+    EXPECT_EQ(reason(R"("view_angle": 60)"), "");
+    EXPECT_THAT(reason(R"("base": "sphere")"), HasSubstr("known of the plane alone"));
+    EXPECT_THAT(reason(R"("depth_write": "conservative")"), HasSubstr("nearer than it"));
+    EXPECT_THAT(reason(R"("view_angle": 89, "height_scale": 0.2)"), HasSubstr("the eye would lie beneath"));
 }
 
 TEST(Expansion, DefaultsThatAreSpelledOutMakeTheSameIds) {

@@ -164,6 +164,8 @@ TEST(Schema, AgreesWithTheParserAboutValues) {
         {"/axes/samples_per_pixel", "3", false},
         {"/axes/frames", "[1, 16]", true},
         {"/axes/frames", "17", false},
+        {"/axes/polygon_height", "[0, 0.5, 1]", true},
+        {"/axes/polygon_height", "1.5", false},
         {"/axes/sample_count", "[1, 256]", true},
         {"/axes/sample_count", "0", false},
         {"/axes/max_steps", "[1, 2]", true},

@@ -45,7 +45,10 @@ double nearest_depth(const Plane& /*plane*/, const Camera& camera, double cosine
     // Two bounds hold: that of the patch's nearest corner, and, for an eye above the patch itself, the eye's height
     // over the plane seen at the picture's corner.
     const glm::dvec3 eye = camera_frame(camera).eye;
-    const double nearest_corner = camera.distance - (std::abs(eye.x) + std::abs(eye.y)) / (2 * camera.distance);
+    double nearest_corner = camera.distance - (std::abs(eye.x) + std::abs(eye.y)) / (2 * camera.distance);
+    // The plane lies above what the camera looks at, and rays that meet that within the patch may enter beside it.
+    if (camera.target_height != 0)
+        nearest_corner += camera.target_height * camera.distance / (eye.z - camera.target_height);
     return std::max(nearest_corner, eye.z * cosine_of_corner);
 }
 
@@ -54,15 +57,21 @@ PatchRegion visible_region(const Plane& /*plane*/, const Camera& camera, double 
     PatchRegion region;
     const CameraFrame frame = camera_frame(camera);
     for (const glm::dvec2 corner : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(1, 1)}) {
-        glm::dvec2 reached;
-        if (camera.projection == Projection::parallel) {
-            reached = corner - glm::dvec2(frame.forward) * (height_scale / frame.forward.z);
-        } else {
-            const glm::dvec2 below_eye = glm::dvec2(frame.eye) + 0.5;
-            reached = below_eye + (corner - below_eye) * ((frame.eye.z + height_scale) / frame.eye.z);
-        }
-        region.low = glm::min(region.low, reached);
-        region.high = glm::max(region.high, reached);
+        const auto include = [&](double z) {
+            const double from_target = camera.target_height - z;
+            glm::dvec2 reached;
+            if (camera.projection == Projection::parallel) {
+                reached = corner - glm::dvec2(frame.forward) * (from_target / frame.forward.z);
+            } else {
+                const glm::dvec2 below_eye = glm::dvec2(frame.eye) + 0.5;
+                const double above_target = frame.eye.z - camera.target_height;
+                reached = below_eye + (corner - below_eye) * ((above_target + from_target) / above_target);
+            }
+            region.low = glm::min(region.low, reached);
+            region.high = glm::max(region.high, reached);
+        };
+        include(-height_scale);
+        if (camera.target_height != 0) include(0);
     }
     return region;
 }

@@ -27,16 +27,19 @@ struct SceneValues {
     ivec2 patches_per_side;
     ivec2 first_patch;  // may be negative where the relief repeats past the unit square
     ivec2 patch_count;
-#if defined(RELIEFBENCH_CURVED) || defined(RELIEFBENCH_FRAMES)
+#if defined(RELIEFBENCH_CURVED) || defined(RELIEFBENCH_FRAMES) || defined(RELIEFBENCH_POLYGON_HEIGHT)
     // Over a curved base, of parallel rays: the part of z = 0 that fills the picture, and the height from which they
     // start.
     vec2 window_low;
     vec2 window_size;
     float window_top;
 #endif
-#ifdef RELIEFBENCH_FRAMES
+#if defined(RELIEFBENCH_FRAMES) || defined(RELIEFBENCH_POLYGON_HEIGHT)
     int frame;   // of the sequence, from 0
     vec2 shift;  // of the pixels' rays, to the right and downwards, in fractions of the picture's sides
+#endif
+#ifdef RELIEFBENCH_POLYGON_HEIGHT
+    float polygon_height;  // of the relief, at which the polygon lies
 #endif
 };
 
@@ -82,6 +85,10 @@ ViewRay view_ray(vec2 fragment) {
         return ViewRay(place + scene.forward * (scene.window_top / scene.forward.z), scene.forward, vec2(0.0), 0.0);
 #endif
         vec2 entry = vec2(across.x, 1.0 - across.y);
+#ifdef RELIEFBENCH_POLYGON_HEIGHT
+        // The picture is filled where the polygon lies.
+        entry += scene.forward.xy * ((1.0 - scene.polygon_height) * scene.height_scale / scene.forward.z);
+#endif
         return ViewRay(vec3(entry - 0.5, 0.0), scene.forward, entry, 0.0);
     }
     vec3 direction =
@@ -91,6 +98,15 @@ ViewRay view_ray(vec2 fragment) {
 #endif
     float entry_t = -scene.eye.z / direction.z;
     return ViewRay(scene.eye, direction, scene.eye.xy + direction.xy * entry_t + 0.5, entry_t);
+}
+
+// Patch coordinates where a ray crosses the polygon.
+vec2 polygon_entry(ViewRay view) {
+#ifdef RELIEFBENCH_POLYGON_HEIGHT
+    return view.entry - view.direction.xy * ((1.0 - scene.polygon_height) * scene.height_scale / view.direction.z);
+#else
+    return view.entry;
+#endif
 }
 
 // S(u, v) of a height h. Over a curved base (u, v) does not name a point: it is the stage's to know the triangle.

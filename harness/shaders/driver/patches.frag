@@ -58,7 +58,7 @@ void main() {
 #endif
     ViewRay view = view_ray(gl_FragCoord.xy);
     // Where the relief goes on for ever it is evaluated in the footprint of the patch only.
-    if (relief_repeats && !inside_patch(view.entry)) discard;
+    if (relief_repeats && !inside_patch(polygon_entry(view))) discard;
     count_pixel(scene.resolution, gl_FragCoord.xy, 0, true);
     // As in quad.frag: never negative.
     float t = max(0.0, dot(surface_point(surface.xy, surface.z) - view.origin, view.direction));

@@ -112,6 +112,10 @@ void main() {
     vec2 max_offset = view.direction.xy * t_per_s;
 #ifdef RELIEFBENCH_LIMITED_WAY
     float left_way = limited_way(-view.direction);
+#ifdef RELIEFBENCH_POLYGON_HEIGHT
+    // Where the polygon lies nothing moves.
+    view.entry += (1.0 - scene.polygon_height) * (1.0 - left_way) * max_offset;
+#endif
     max_offset *= left_way;
 #endif
 
@@ -141,11 +145,11 @@ void main() {
     // Only a search that could still hit something counts as unconverged. Its ray parameter is that before the fade.
     if (found.kind == trace_on_ray && !found.converged && !relief_repeats)
 #ifdef RELIEFBENCH_BENT_RAY
-        found.converged = has_left_base(ray, found.s / (1.0 - fade));
+        found.converged = has_left_base(ray, unfaded(found.s, fade));
 #elif defined(RELIEFBENCH_CURVED)
-        found.converged = has_left_base(view.entry + found.s / (1.0 - fade) * max_offset, max_offset);
+        found.converged = has_left_base(view.entry + unfaded(found.s, fade) * max_offset, max_offset);
 #else
-        found.converged = has_left_patch(view.entry + found.s / (1.0 - fade) * max_offset, max_offset);
+        found.converged = has_left_patch(view.entry + unfaded(found.s, fade) * max_offset, max_offset);
 #endif
 #endif
     count_pixel(scene.resolution, gl_FragCoord.xy, found.steps, found.converged);

@@ -14,6 +14,10 @@ void main() {
 
 void main() {
     vec2 corner = vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1);
+#ifdef RELIEFBENCH_POLYGON_HEIGHT
+    gl_Position = scene.clip_from_world * vec4(surface_point(corner, scene.polygon_height), 1.0);
+#else
     gl_Position = scene.clip_from_world * vec4(surface_point(corner, 1.0), 1.0);
+#endif
 }
 #endif
