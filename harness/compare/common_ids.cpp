@@ -21,7 +21,19 @@ std::vector<const StoredRun*> from_oldest_to_newest(std::span<const StoredRun> r
     return order;
 }
 
-/// Of each technique, and of the axes, as the newest run has them that records them; null where none does.
+/// `presets` of a run.json by technique and name, for each of them.
+template <typename Visit>
+void for_each_preset(const StoredRun& run, const Visit& visit) {
+    const Json techniques = value_at(run.run.run, {"presets"});
+    if (!techniques.is_object()) return;
+    for (const auto& [technique, presets] : techniques.items()) {
+        for (const auto& [name, preset] : presets.items())
+            visit(technique, name, value_at(preset, {"parameters"}));
+    }
+}
+
+/// Of each technique, of the axes and of each preset, as the newest run has them that records them; null where none
+/// does.
 Json newest_defaults(std::span<const StoredRun> runs) {
     Json newest;
     for (const StoredRun* run : from_oldest_to_newest(runs)) {
@@ -32,6 +44,9 @@ Json newest_defaults(std::span<const StoredRun> runs) {
         if (!techniques.is_object()) continue;
         for (const auto& [technique, parameters] : techniques.items())
             newest["parameters"][technique] = parameters;
+        for_each_preset(*run, [&](const std::string& technique, const std::string& name, const Json& parameters) {
+            newest["presets"][technique][name] = parameters;
+        });
     }
     return newest;
 }
@@ -55,14 +70,23 @@ void append_members(std::string& text, const Json& members, const Json& defaults
 
 /// Empty where the defaults do not tell.
 std::string common_id(const CellResult& cell, const Json& defaults, const Json& own) {
-    const Json parameters = value_at(defaults, {"parameters", cell.technique.c_str()});
+    Json expected = value_at(defaults, {"parameters", cell.technique.c_str()});
     const Json axes = value_at(defaults, {"axes"});
-    for (const Json* object : {&parameters, &axes, &cell.parameters, &cell.axes}) {
+    for (const Json* object : {&std::as_const(expected), &axes, &cell.parameters, &cell.axes}) {
         if (!object->is_object()) return {};
     }
     std::string technique = cell.technique;
-    if (!cell.preset.empty()) technique += " preset=" + cell.preset;
-    append_members(technique, cell.parameters, parameters, value_at(own, {"parameters", cell.technique.c_str()}));
+    Json parameters = cell.parameters;
+    if (!cell.preset.empty()) {
+        technique += " preset=" + cell.preset;
+        const Json preset = value_at(defaults, {"presets", cell.technique.c_str(), cell.preset.c_str()});
+        for (const auto& [name, value] : preset.items()) {
+            // One that the cell's run does not know was at its default, whatever the preset has since.
+            if (!parameters.contains(name) && expected.contains(name)) parameters[name] = expected[name];
+            expected[name] = value;
+        }
+    }
+    append_members(technique, parameters, expected, value_at(own, {"parameters", cell.technique.c_str()}));
     std::string view;
     append_members(view, cell.axes, axes, value_at(own, {"axes"}));
     return technique + " |" + view;
@@ -76,9 +100,13 @@ bool has_other_defaults(std::span<const StoredRun> runs, const Json& newest) {
         if (!own.is_object() || value_at(own, {"axes"}) != value_at(newest, {"axes"})) return true;
         const Json techniques = value_at(own, {"parameters"});
         if (!techniques.is_object()) return true;
-        return std::ranges::any_of(techniques.items(), [&](const auto& item) {
-            return value_at(newest, {"parameters", item.key().c_str()}) != item.value();
+        bool has_other_presets = false;
+        for_each_preset(run, [&](const std::string& technique, const std::string& name, const Json& parameters) {
+            if (value_at(newest, {"presets", technique.c_str(), name.c_str()}) != parameters) has_other_presets = true;
         });
+        return has_other_presets || std::ranges::any_of(techniques.items(), [&](const auto& item) {
+                   return value_at(newest, {"parameters", item.key().c_str()}) != item.value();
+               });
     });
 }
 

@@ -103,5 +103,52 @@ TEST(CommonIds, NameAParameterThatIsGoneUnlessItWasAtItsDefault) {
                                              "first gone=4 | heightmap=rock view_angle=60.5"));
 }
 
+/// Its preset `engine` sets `steps` and `rounding`, `measured` are the cell's steps.
+StoredRun run_with_preset(const std::string& name, const std::string& time, int steps_of_preset, int measured,
+                          const std::string& id) {
+    CellResult cell = cell_of(id, {{"steps", measured}, {"rounding", "up"}}, {{"heightmap", "rock"}});
+    cell.technique = "first";
+    cell.preset = "engine";
+    StoredRun run =
+        run_of(name, time, {cell},
+               R"({"parameters": {"first": {"steps": 32, "rounding": "down"}}, "axes": {"heightmap": null}})");
+    run.run.run["presets"]["first"]["engine"]["parameters"] = {{"rounding", "up"}, {"steps", steps_of_preset}};
+    return run;
+}
+
+TEST(CommonIds, NameWhatIsNoLongerAPresetsValueSoThatOneNameDoesNotStandForTwoSettings) {
+    std::vector<StoredRun> runs{
+        run_with_preset("older", "2026-01-01T00:00:00Z", 16, 16, "first preset=engine | heightmap=rock"),
+        run_with_preset("newer", "2026-06-01T00:00:00Z", 8, 8, "first preset=engine | heightmap=rock"),
+        run_with_preset("newest", "2026-07-01T00:00:00Z", 8, 16, "first preset=engine steps=16 | heightmap=rock")};
+    give_common_ids(runs);
+    EXPECT_THAT(ids_of(runs[0]), ElementsAre("first preset=engine steps=16 | heightmap=rock"));
+    EXPECT_THAT(ids_of(runs[1]), ElementsAre("first preset=engine | heightmap=rock"));
+    EXPECT_THAT(ids_of(runs[2]), ElementsAre("first preset=engine steps=16 | heightmap=rock"));
+}
+
+TEST(CommonIds, NameAParameterOfAPresetThatARunDoesNotKnowForItWasAtItsDefaultThen) {
+    std::vector<StoredRun> runs{
+        run_with_preset("older", "2026-01-01T00:00:00Z", 16, 16, "first preset=engine | heightmap=rock"),
+        run_with_preset("newer", "2026-06-01T00:00:00Z", 16, 16, "first preset=engine | heightmap=rock")};
+    Json& newer = runs[1].run.run;
+    newer["defaults"]["parameters"]["first"]["tolerance"] = 0;
+    newer["presets"]["first"]["engine"]["parameters"]["tolerance"] = 0.01;
+    runs[1].run.cells[0].parameters["tolerance"] = 0.01;
+    give_common_ids(runs);
+    EXPECT_THAT(ids_of(runs[0]), ElementsAre("first preset=engine tolerance=0 | heightmap=rock"));
+    EXPECT_THAT(ids_of(runs[1]), ElementsAre("first preset=engine | heightmap=rock"));
+}
+
+TEST(CommonIds, LeaveThoseOfPresetsAloneWhereOnlyOtherDefaultsChanged) {
+    std::vector<StoredRun> runs{
+        run_with_preset("older", "2026-01-01T00:00:00Z", 16, 16, "first preset=engine | heightmap=rock"),
+        run_with_preset("newer", "2026-06-01T00:00:00Z", 16, 8, "first preset=engine steps=8 | heightmap=rock")};
+    runs[0].run.run["defaults"]["parameters"]["first"]["steps"] = 64;
+    give_common_ids(runs);
+    EXPECT_THAT(ids_of(runs[0]), ElementsAre("first preset=engine | heightmap=rock"));
+    EXPECT_THAT(ids_of(runs[1]), ElementsAre("first preset=engine steps=8 | heightmap=rock"));
+}
+
 }  // namespace
 }  // namespace reliefbench
