@@ -78,7 +78,7 @@ __reliefbench_paths() {
 }
 
 __reliefbench_names() {
-    "${COMP_WORDS[0]}" list "$1" 2>/dev/null | sed -n 's/^\([^ ]\{1,\}\) .*/\1/p' | grep -vx or
+    "${COMP_WORDS[0]}" list "$1" 2>/dev/null | sed -n 's/^\([^ ]\{1,\}\) .*/\1/p' | grep -vx -e or -e in
 }
 )";
 
@@ -86,6 +86,7 @@ constexpr const char* bash_settings = R"(
 __reliefbench_settings() {{
     case "$setting" in
         technique) __reliefbench_words $(__reliefbench_names techniques) ;;
+        preset) __reliefbench_words $(__reliefbench_names presets) ;;
         heightmap) __reliefbench_words $(__reliefbench_names heightmaps) ;;
         '')
             compopt -o nospace 2>/dev/null
@@ -194,7 +195,7 @@ constexpr const char* zsh_head = R"(#compdef reliefbench
 # Written by `reliefbench completion zsh`.
 
 __reliefbench_names() {
-    reliefbench list $1 2>/dev/null | sed -n 's/^\([^ ]\{1,\}\) .*/\1/p' | grep -vx or
+    reliefbench list $1 2>/dev/null | sed -n 's/^\([^ ]\{1,\}\) .*/\1/p' | grep -vx -e or -e in
 }
 
 __reliefbench_techniques() {
@@ -206,6 +207,8 @@ __reliefbench_techniques() {
 constexpr const char* zsh_settings = R"(__reliefbench_settings() {{
     if compset -P 'technique='; then
         compadd -- $(__reliefbench_names techniques)
+    elif compset -P 'preset='; then
+        compadd -- $(__reliefbench_names presets)
     elif compset -P 'heightmap='; then
         compadd -- $(__reliefbench_names heightmaps)
     elif [[ $PREFIX != *=* ]]; then

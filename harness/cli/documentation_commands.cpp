@@ -14,7 +14,7 @@ namespace {
 
 /// What `-a` and `--filter` take first.
 std::vector<std::string> setting_names() {
-    std::vector<std::string> names{"technique", "sample_count"};
+    std::vector<std::string> names{"technique", "preset", "sample_count"};
     for (const ViewAxis& axis : view_axes()) {
         names.push_back(axis.name);
     }

@@ -209,7 +209,7 @@ void add_render_command(CLI::App& app, ChosenCommand& chosen) {
     add_repeated_option(*command, "--set", options->parameters, "A parameter of the technique (may be repeated)")
         ->type_name("PARAMETER=VALUE");
     add_repeated_option(*command, "-a,--axis", options->axes,
-                        "An axis of the view, one value (may be repeated); default: heightmap=bricks, "
+                        "An axis of the view, one value, or preset=NAME (may be repeated); default: heightmap=bricks, "
                         "resolution=512x512 (contact sheet: 192x192), view_angle=45")
         ->type_name("NAME=VALUE");
     command

@@ -70,6 +70,8 @@ Json selections(const std::vector<const Manifest*>& manifests, const std::vector
         if (taken) continue;
         std::sort(known.begin(), known.end());
         known.erase(std::unique(known.begin(), known.end()), known.end());
+        if (name == "preset")
+            fail("--set {}: a preset is not a parameter but sets several; use -a {}", argument, argument);
         if (find_view_axis(name))
             fail("--set {0}: {1} is an axis of the view, not a parameter; use -a {0}", argument, name);
         fail("--set {}: {} parameter '{}'{}; there are: {}", argument,

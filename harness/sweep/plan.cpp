@@ -32,6 +32,8 @@ const Parameter* parameter_of(const Manifest& manifest, const std::string& axis)
 
 [[noreturn]] void fail_untaken_axis(const Axis& axis, const Plan& plan) {
     if (axis.name == "sample_count") fail_axis(axis, "none of the techniques selected has a sample count");
+    if (axis.name == "preset")
+        fail_axis(axis, R"(presets are named beside their technique: {"technique": ..., "preset": ...})");
     std::vector<std::string> known;
     for (const ViewAxis& view_axis : view_axes())
         known.push_back(view_axis.name);

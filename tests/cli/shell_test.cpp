@@ -106,7 +106,7 @@ TEST_F(Shell, BashCompletesCommandsOptionsAndValues) {
     EXPECT_THAT(bash_offers({""}), IsSupersetOf(commands_below({})));
     EXPECT_THAT(bash_offers({"ren"}), UnorderedElementsAre("render"));
     EXPECT_THAT(bash_offers({"list", ""}),
-                UnorderedElementsAre("techniques", "devices", "heightmaps", "axes", "bases", "figures"));
+                UnorderedElementsAre("techniques", "devices", "heightmaps", "axes", "bases", "presets", "figures"));
     EXPECT_THAT(bash_offers({"run", "--f"}), UnorderedElementsAre("--filter", "--format"));
     EXPECT_THAT(bash_offers({"run", "--format", ""}), UnorderedElementsAre("table", "markdown", "csv", "json"));
     // bash splits --color=al at the '='.
@@ -121,6 +121,9 @@ TEST_F(Shell, BashCompletesTechniquesHeightMapsAxesAndFiles) {
     EXPECT_THAT(bash_offers({"run", "--filter", "technique", "=", "po"}), UnorderedElementsAre("pom"));
     EXPECT_THAT(bash_offers({"run", "-a", "heightmap", "=", "ro"}), Contains("rock"));
     EXPECT_THAT(bash_offers({"run", "-a", "view"}), UnorderedElementsAre("view_angle="));
+    EXPECT_THAT(bash_offers({"run", "-a", "pre"}), UnorderedElementsAre("preset="));
+    EXPECT_THAT(bash_offers({"run", "-a", "preset", "=", ""}),
+                AllOf(Contains("unity_hdrp"), Contains("godot_4"), Not(Contains("in"))));
     write("my configuration.json", "{}");
     std::filesystem::create_directory(path("runs"));
     EXPECT_THAT(bash_offers({"run", "my"}), UnorderedElementsAre("my", "configuration.json"));
@@ -141,9 +144,10 @@ TEST_F(Shell, ZshCompletesTheSame) {
     EXPECT_THAT(offers("reliefbench run --for"), Contains("--format"));
     EXPECT_THAT(offers("reliefbench run --format "), UnorderedElementsAre("table", "markdown", "csv", "json"));
     EXPECT_THAT(offers("reliefbench list "),
-                UnorderedElementsAre("techniques", "devices", "heightmaps", "axes", "bases", "figures"));
+                UnorderedElementsAre("techniques", "devices", "heightmaps", "axes", "bases", "presets", "figures"));
     EXPECT_THAT(offers("reliefbench render --technique "), IsSupersetOf({"pom", "qdm", "steep"}));
     EXPECT_THAT(offers("reliefbench run --filter technique=po"), UnorderedElementsAre("pom"));
+    EXPECT_THAT(offers("reliefbench run --filter preset=god"), UnorderedElementsAre("godot_4"));
 }
 
 TEST_F(Shell, TheManualHasEveryCommandAndOptionAndNoWarnings) {

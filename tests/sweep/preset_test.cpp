@@ -82,6 +82,8 @@ TEST(Presets, ThatAreUnknownOrAnothersAreErrors) {
     EXPECT_THAT(complaint(R"("march")", {"preset=forest"}), HasSubstr("'forest' is a preset of the technique tree"));
     EXPECT_THAT(complaint(R"("march")", {"preset=nothing"}), HasSubstr("unknown preset 'nothing'"));
     EXPECT_THAT(complaint(R"({"technique": "march", "preset": []})"), HasSubstr("at least one value"));
+    EXPECT_THAT(error_message([] { cells_of(R"("march")", R"(, "preset": "quick_engine")"); }),
+                HasSubstr("$.axes.preset: presets are named beside their technique"));
 }
 
 TEST(Presets, AreReadBackFromTheExpandedConfiguration) {
@@ -101,6 +103,11 @@ TEST(Presets, AreFilteredAndExcludedByName) {
                 ElementsAre("march preset=slow_engine"));
     EXPECT_THAT(settings_of(filter_cells(all(), {"preset!=slow_engine"}, techniques)),
                 ElementsAre("march", "march preset=quick_engine"));
+    const std::string excluded = R"({"techniques": [{"technique": "march", "preset": ["quick_engine", "slow_engine"]}],
+        "axes": {"heightmap": "bricks"}, "exclude": [{"preset": "quick_engine"}]})";
+    EXPECT_THAT(settings_of(expand(parse_configuration(parse_json(excluded, "test.json"), "test.json", {}, techniques),
+                                   techniques)),
+                ElementsAre("march preset=slow_engine"));
     EXPECT_THAT(error_message([&] { filter_cells(all(), {"preset=slow"}, techniques); }),
                 HasSubstr("unknown preset 'slow'"));
 }
