@@ -108,6 +108,26 @@ TEST_F(ShippedPresets, RefineAsTheirSourcesDo) {
     }
 }
 
+/// None is broken by a value that is right on planes alone.
+TEST_F(ShippedPresets, FindARelief) {
+    const CoordinateScene bumps(device(), map_of({64, 64}, [](int x, int y) {
+                                    const double turn = 2 * std::numbers::pi / 64;
+                                    return 0.5 + 0.25 * std::sin(turn * 2 * x) + 0.25 * std::cos(turn * y);
+                                }));
+    const View view = view_at(45);
+    const double flat = compare("flat", shipped("flat").manifest.defaults(), bumps, view).errors.uv_texels->mean;
+    for (const Expected& row : table) {
+        const Manifest manifest = shipped(row.technique).manifest;
+        const HitErrors errors =
+            compare(row.technique, values_of_preset(manifest, find_preset(manifest, row.preset)), bumps, view).errors;
+        // What lies beyond the patch is cut off for an outline: H·tan 45° of it at most.
+        EXPECT_LE(errors.missed, row.preset == std::string("three_silhouette") ? 0.1 : 0) << row.preset;
+        ASSERT_TRUE(errors.uv_texels) << row.preset;
+        // godot_4 goes cos 45° of the way.
+        EXPECT_LT(errors.uv_texels->mean, 0.31 * flat) << row.preset;
+    }
+}
+
 /// Stripes of eight texels in pixels of more than eight: their mean where the level is chosen by the footprint.
 TEST_F(ShippedPresets, ReadTheLevelOfTheirSources) {
     const CoordinateScene stripes(device(), map_of({64, 64}, [](int x, int) { return x % 8 < 2 ? 1.0 : 0.2; }));
