@@ -40,7 +40,8 @@ struct Cell {
 Json axes_to_json(const ViewKey& view);
 Json parameters_to_json(const ParameterValues& values);
 
-/// The technique's part of an id: "pom max_steps=16", "pom preset=godot_4 max_steps=16". `preset` may be null.
+/// The technique's part of an id: "pom max_steps=16", with a preset behind the technique as
+/// "preset=godot_4 max_steps=16". `preset` may be null.
 std::string technique_id(const Manifest& manifest, const ParameterValues& values, const Preset* preset = nullptr);
 
 /// The stable id of a cell without a preset; see Cell::id.
