@@ -323,7 +323,7 @@ TEST(ManifestDocument, ItsExampleIsAValidManifest) {
     const std::string json = std::regex_replace(example, std::regex("//[^\n]*"), "");
     const Manifest manifest =
         parse_manifest(parse_json(json, "adding_a_technique.md"), "example", "adding_a_technique.md", shared_shaders);
-    EXPECT_EQ(manifest.parameters.size(), 14U) << "with those of quad.json";
+    EXPECT_EQ(manifest.parameters.size(), 17U) << "with those of quad.json";
     EXPECT_EQ(manifest.map_needs.size(), 2U);
     EXPECT_EQ(manifest.passes.size(), 2U);
 }
