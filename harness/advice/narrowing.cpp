@@ -370,19 +370,35 @@ void Narrowing::visit_contenders(const Contest& contest, const Judged& judged, s
     if (!are_settled) visited.insert(together.begin(), together.end());
 }
 
+/// Of what is wanted whatever else is better: the first views of the contests, then the others.
+std::set<std::size_t> Narrowing::unseen_wanted() const {
+    std::set<std::size_t> first;
+    std::set<std::size_t> all;
+    for (const SweptSetting& setting : settings_) {
+        if (!setting.is_wanted) continue;
+        for (const Contest& contest : contests_) {
+            const std::optional<std::size_t> cell = setting.cells[contest.front()];
+            if (cell && !seen_[*cell].is_known) first.insert(*cell);
+        }
+        for (const std::optional<std::size_t>& cell : setting.cells) {
+            if (cell && !seen_[*cell].is_known) all.insert(*cell);
+        }
+    }
+    return first.empty() ? all : first;
+}
+
 std::vector<std::size_t> Narrowing::next_round() const {
     std::set<std::size_t> visited;
     std::set<std::size_t> unseen;
     std::set<std::size_t> unseen_with_maps;
-    const auto look_at = [&](std::size_t cell) {
-        if (seen_[cell].is_known) return;
-        (settings_[places_[cell]->setting].needs_maps ? unseen_with_maps : unseen).insert(cell);
-    };
     for (const Contest& contest : contests_) {
         const Judged judged = judge(contest);
         for (const std::vector<std::size_t>& ladder : ladders_) {
-            for (const std::size_t cell : chosen_of_ladder(contest, judged, ladder))
-                look_at(cell);
+            for (const std::size_t cell : chosen_of_ladder(contest, judged, ladder)) {
+                const SweptSetting& setting = settings_[places_[cell]->setting];
+                if (!seen_[cell].is_known && !setting.is_wanted)
+                    (setting.needs_maps ? unseen_with_maps : unseen).insert(cell);
+            }
         }
         visit_contenders(contest, judged, visited);
     }
@@ -396,12 +412,13 @@ std::vector<std::size_t> Narrowing::next_round() const {
     for (const SweptSetting& setting : settings_) {
         if (!setting.is_wanted) continue;
         for (const std::optional<std::size_t>& cell : setting.cells) {
-            if (!cell) continue;
-            look_at(*cell);
-            if (may_be_visited(*cell) && seen_[*cell].time.rounds < wanted_rounds) visited.insert(*cell);
+            if (cell && may_be_visited(*cell) && seen_[*cell].time.rounds < wanted_rounds) visited.insert(*cell);
         }
     }
-    visited.merge(unseen.empty() ? unseen_with_maps : unseen);
+    // What may be long in coming, or decides nothing, comes when there is an answer.
+    if (unseen.empty()) unseen = std::move(unseen_with_maps);
+    if (unseen.empty()) unseen = unseen_wanted();
+    visited.merge(unseen);
     return {visited.begin(), visited.end()};
 }
 

@@ -28,7 +28,7 @@ struct SweptSetting {
     double distance_from_start = 0;
     /// Maps are made for it first, which may take long: its ladder begins when the others have been looked at.
     bool needs_maps = false;
-    /// Of a preset that its users look for: measured whatever else is better.
+    /// Of a preset that its users look for: measured whatever else is better, when the others have been looked at.
     bool is_wanted = false;
     /// By view: where the cell stands in the run. Empty: the configuration has no such cell.
     std::vector<std::optional<std::size_t>> cells = {};
@@ -129,6 +129,7 @@ private:
     Dominance dominance(std::size_t setting, const Judged& judged) const;
     bool told_apart(double rank, double other) const;
 
+    std::set<std::size_t> unseen_wanted() const;
     bool may_be_visited(std::size_t cell) const;
     void visit_contenders(const Contest& contest, const Judged& judged, std::set<std::size_t>& visited) const;
     std::vector<std::size_t> chosen_of_ladder(const Contest& contest, const Judged& judged,

@@ -35,7 +35,7 @@ struct AdvisedSetting {
     std::string technique;
     /// Empty without one.
     std::string preset;
-    /// What selects it in a configuration: {"technique": ..., "preset": ..., "parameters": {"max_steps": 16}}.
+    /// What selects it in a configuration, an entry of "techniques".
     Json selection;
     double ms = 0;
     /// Of that view's time.

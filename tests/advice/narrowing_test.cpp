@@ -41,6 +41,7 @@ struct FakeTechnique {
     std::vector<int> counts = {4, 6, 8, 11, 16, 23, 32, 45, 64, 91, 128, 181, 256};
     bool is_wanted = false;
     bool is_skipped = false;
+    bool needs_maps = false;
 };
 
 /// A sweep without a device: times and errors by formulas, times with noise.
@@ -56,6 +57,7 @@ public:
                                      .ladder = ladder,
                                      .sample_count = count,
                                      .distance_from_start = std::abs(std::log2(std::max(count, 1) / 16.0)),
+                                     .needs_maps = technique.needs_maps,
                                      .is_wanted = technique.is_wanted};
                 for (std::size_t view = 0; view < angles * azimuths; ++view) {
                     setting.cells.emplace_back(cells_.size());
@@ -274,6 +276,25 @@ TEST(Narrowing, WhatIsWantedIsMeasuredInAllViewsWhateverElseIsBetter) {
         if (cell.technique == "poor") ++found;
     }
     EXPECT_EQ(found, 4U);
+}
+
+TEST(Narrowing, WhatIsWantedOrNeedsMapsIsLookedAtWhenTheOthersHaveBeen) {
+    std::vector<FakeTechnique> techniques = usual_techniques();
+    techniques.insert(techniques.begin(), {.name = "preset", .counts = {}, .is_wanted = true});
+    techniques.insert(techniques.begin(), {.name = "mapped", .needs_maps = true});
+    FakeSweep sweep(techniques, 1, 2);
+    sweep.narrow(FakeSweep::request(2));
+    const auto place = [&](const std::string& technique, bool last) {
+        std::size_t found = sweep.drawn();
+        for (std::size_t at = 0; at < sweep.drawn(); ++at) {
+            if (sweep.all()[sweep.order_drawn[at]].technique == technique && (last || found == sweep.drawn()))
+                found = at;
+        }
+        return found;
+    };
+    EXPECT_LT(place("linear", true), place("mapped", false));
+    EXPECT_LT(place("mapped", true), place("preset", false));
+    EXPECT_LT(place("preset", true), sweep.drawn());
 }
 
 TEST(Narrowing, WhatIsSkippedOnceIsNotTriedWithOtherSampleCounts) {
