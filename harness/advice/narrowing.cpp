@@ -1,7 +1,5 @@
 #include "advice/narrowing.hpp"
 
-#include "store/chosen_figures.hpp"
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -20,19 +18,14 @@ constexpr std::size_t first_rounds = 3;
 constexpr std::size_t wanted_rounds = 6;
 /// Rounds that give a median a 95 % interval.
 constexpr std::size_t rounds_of_interval = 6;
-/// A first step beyond the budget is looked for up to this many times of it.
-constexpr double next_step_window = 4;
 /// Rungs that are passed over where a ladder was not looked at yet: four times the sample count of neighbours at √2.
 constexpr std::size_t coarse_rungs = 4;
 
-/// As a value of which less is better.
-double as_cost(double value, Better better) {
-    return better == Better::higher ? -value : value;
-}
-
-/// Figures of which less is better are errors, and none is below 0.
-double least_cost(Better better) {
-    return better == Better::higher ? -endless : 0;
+/// To what is greater.
+void raise(CellErrors& errors, const CellErrors& other) {
+    errors.rank = std::max(errors.rank, other.rank);
+    for (std::size_t at = 0; at < errors.limited.size(); ++at)
+        errors.limited[at] = std::max(errors.limited[at], other.limited[at]);
 }
 
 }  // namespace
@@ -44,22 +37,8 @@ TimeBounds time_bounds(const PassTiming& draw, bool is_settled) {
     return {draw.ci95_ms.low * (1 - margin), draw.ci95_ms.high * (1 + margin), draw.median_ms, draw.rounds, is_settled};
 }
 
-Narrowing::Narrowing(std::vector<SweptSetting> settings, std::vector<Contest> contests, AdviceRequest request)
-    : settings_(std::move(settings)),
-      contests_(std::move(contests)),
-      request_(std::move(request)),
-      tolerance_(tolerance_of(*request_.rank_by)),
-      budget_ms_(endless) {
-    for (const AdviceLimit& limit : request_.limits) {
-        if (limit.figure->path == chosen_figures::cost) {
-            budget_ms_ = std::min(budget_ms_, limit.value);
-            continue;
-        }
-        error_limits_.push_back(&limit);
-        error_bounds_.push_back(as_cost(limit.value, limit.figure->better));
-    }
-    are_errors_limited_ = !error_limits_.empty();
-    error_bounds_.push_back(wrong_hits_limit);
+Narrowing::Narrowing(std::vector<SweptSetting> settings, std::vector<Contest> contests, const AdviceRequest& request)
+    : settings_(std::move(settings)), contests_(std::move(contests)), rules_(request) {
     for (std::size_t setting = 0; setting < settings_.size(); ++setting) {
         const std::size_t ladder = settings_[setting].ladder;
         if (ladders_.size() <= ladder) ladders_.resize(ladder + 1);
@@ -81,30 +60,17 @@ void Narrowing::set_result(std::size_t cell, const CellResult& result) {
     Seen& seen = seen_.at(cell);
     seen.is_known = true;
     seen.is_skipped = result.status == CellStatus::skipped;
-    seen.is_failed = result.status == CellStatus::failed;
     seen.reason = result.reason;
     if (seen.is_skipped) return;
-    const std::optional<double> rank = value_of(*request_.rank_by, result);
-    const std::optional<double> wrong = wrong_hits(result);
-    // A cell without a figure that is asked for is no answer.
-    if (!rank || !wrong) {
-        seen.is_failed = true;
-        return;
-    }
-    seen.rank = as_cost(*rank, request_.rank_by->better);
-    for (const AdviceLimit* limit : error_limits_) {
-        const std::optional<double> value = value_of(*limit->figure, result);
-        if (!value) seen.is_failed = true;
-        seen.limited.push_back(value ? as_cost(*value, limit->figure->better) : endless);
-    }
-    seen.limited.push_back(*wrong);
+    seen.errors = rules_.errors_of(result);
+    seen.is_failed = result.status == CellStatus::failed || !seen.errors;
 }
 
 void Narrowing::set_times(std::size_t cell, const TimeBounds& bounds) {
     seen_.at(cell).time = bounds;
 }
 
-Narrowing::Seen Narrowing::seen_of(std::size_t setting, std::size_t view) const {
+const Narrowing::Seen& Narrowing::seen_of(std::size_t setting, std::size_t view) const {
     return seen_[*settings_[setting].cells[view]];
 }
 
@@ -113,45 +79,42 @@ Narrowing::Seen Narrowing::seen_of(std::size_t setting, std::size_t view) const 
 /// falls twice as steeply, as errors may begin slowly while everything is wrong.
 double Narrowing::rank_from_below(std::size_t setting, std::size_t view) const {
     constexpr double steeper = 2;
-    double bound = least_cost(request_.rank_by->better);
-    if (request_.rank_by->better == Better::higher) return bound;
+    const double bound = rules_.least_errors().rank;
+    if (bound < 0) return bound;  // more is better, and grows as it likes
     const auto octave = [this](std::size_t rung) {
         return std::log2(static_cast<double>(std::max<std::int64_t>(1, settings_[rung].sample_count)));
     };
     std::vector<std::size_t> below;
     for (const std::size_t rung : ladders_[settings_[setting].ladder]) {
         if (settings_[rung].sample_count >= settings_[setting].sample_count) break;
-        if (settings_[rung].cells[view] && !seen_of(rung, view).limited.empty()) below.push_back(rung);
+        if (settings_[rung].cells[view] && seen_of(rung, view).errors) below.push_back(rung);
     }
     if (below.size() < 2) return bound;
     const std::size_t more = below.back();
     const std::size_t fewer = below[below.size() - 2];
-    const double rank = seen_of(more, view).rank;
-    const double slope = std::max(0.0, seen_of(fewer, view).rank - rank) / (octave(more) - octave(fewer));
+    const double rank = seen_of(more, view).errors->rank;
+    const double slope = std::max(0.0, seen_of(fewer, view).errors->rank - rank) / (octave(more) - octave(fewer));
     return std::max(bound, rank - steeper * slope * (octave(setting) - octave(more)));
 }
 
 /// Where a cell was not looked at, those of its ladder bound it: fewer samples take no longer, more err no more.
-void Narrowing::add_view(std::size_t setting, std::size_t view, Bounds& bounds) const {
-    const Seen own = seen_of(setting, view);
+void Narrowing::add_view(std::size_t setting, std::size_t view, SettingBounds& bounds) const {
+    const Seen& own = seen_of(setting, view);
     if (own.is_skipped || own.is_failed) {
         bounds.is_possible = false;
         return;
     }
     double time_low = own.time.rounds > 0 ? own.time.low_ms : 0;
-    double rank = own.is_known ? own.rank : rank_from_below(setting, view);
-    std::vector<double> limited = own.is_known ? own.limited : std::vector<double>(error_bounds_.size(), -endless);
+    CellErrors errors = own.errors ? *own.errors : rules_.least_errors();
+    if (!own.errors) errors.rank = rank_from_below(setting, view);
     for (const std::size_t other : ladders_[settings_[setting].ladder]) {
         if (other == setting || !settings_[other].cells[view]) continue;
-        const Seen seen = seen_of(other, view);
+        const Seen& seen = seen_of(other, view);
         // What the device or the map does not allow one sample count it allows none.
         if (seen.is_skipped) bounds.is_possible = false;
         const bool is_below = settings_[other].sample_count < settings_[setting].sample_count;
         if (is_below && own.time.rounds == 0 && seen.time.rounds > 0) time_low = std::max(time_low, seen.time.low_ms);
-        if (is_below || own.is_known || !seen.is_known || seen.limited.empty()) continue;
-        rank = std::max(rank, seen.rank);
-        for (std::size_t at = 0; at < limited.size(); ++at)
-            limited[at] = std::max(limited[at], seen.limited[at]);
+        if (!is_below && !own.errors && seen.errors) raise(errors, *seen.errors);
     }
     const bool is_timed = own.is_known && own.time.rounds > 0;
     bounds.is_complete = bounds.is_complete && is_timed;
@@ -159,15 +122,12 @@ void Narrowing::add_view(std::size_t setting, std::size_t view, Bounds& bounds) 
     bounds.time_low = std::max(bounds.time_low, time_low);
     bounds.time_high = std::max(bounds.time_high, is_timed ? own.time.high_ms : endless);
     bounds.time = std::max(bounds.time, own.time.median_ms);
-    bounds.rank = std::max(bounds.rank, rank);
-    for (std::size_t at = 0; at < limited.size(); ++at)
-        bounds.limited[at] = std::max(bounds.limited[at], limited[at]);
+    raise(bounds.errors, errors);
 }
 
-Narrowing::Bounds Narrowing::bounds_of(std::size_t setting, const Contest& contest) const {
-    Bounds bounds;
-    bounds.rank = -endless;
-    bounds.limited.assign(error_bounds_.size(), -endless);
+SettingBounds Narrowing::bounds_of(std::size_t setting, const Contest& contest) const {
+    SettingBounds bounds;
+    bounds.errors = rules_.least_errors();
     for (const std::size_t view : contest) {
         if (!settings_[setting].cells[view]) {
             bounds.is_possible = false;
@@ -178,85 +138,19 @@ Narrowing::Bounds Narrowing::bounds_of(std::size_t setting, const Contest& conte
     return bounds;
 }
 
-bool Narrowing::told_apart(double rank, double other) const {
-    return size_in_tolerances(rank, other, tolerance_) > 1;
-}
-
-bool Narrowing::may_keep_errors(const Bounds& bounds) const {
-    for (std::size_t at = 0; at < error_bounds_.size(); ++at) {
-        if (bounds.limited[at] > error_bounds_[at]) return false;
-    }
-    return true;
-}
-
-/// By how many times it is beyond its limits at least, wrong hits aside, which make it no answer at all.
-double Narrowing::least_excess(const Bounds& bounds) const {
-    if (bounds.limited.back() > wrong_hits_limit) return endless;
-    double excess = budget_ms_ < endless ? bounds.time_low / budget_ms_ : 0;
-    for (std::size_t at = 0; at < error_limits_.size(); ++at) {
-        const double limit = error_bounds_[at];
-        if (bounds.limited[at] <= limit) continue;
-        excess = std::max(excess, limit > 0 ? bounds.limited[at] / limit : endless);
-    }
-    return excess;
-}
-
-Narrowing::Standing Narrowing::standing_of(const std::vector<Bounds>& bounds) const {
-    Standing standing;
-    std::vector<const Bounds*> keeping;
-    std::vector<const Bounds*> beyond;
-    for (const Bounds& each : bounds) {
-        if (!each.is_possible || !each.is_complete) continue;
-        const double excess = least_excess(each);
-        if (!standing.has_nearest || excess < standing.nearest_excess) standing.nearest_excess = excess;
-        standing.has_nearest = true;
-        if (may_keep_errors(each)) (each.time <= budget_ms_ ? keeping : beyond).push_back(&each);
-    }
-    for (const Bounds* each : keeping)
-        standing.least_rank = std::min(standing.least_rank.value_or(endless), each->rank);
-    for (const Bounds* each : keeping) {
-        if (!are_errors_limited_ && told_apart(each->rank, *standing.least_rank)) continue;
-        if (standing.best == nullptr || each->time < standing.best->time) standing.best = each;
-    }
-    for (const Bounds* each : beyond) {
-        if (standing.least_rank && (each->rank > *standing.least_rank || !told_apart(each->rank, *standing.least_rank)))
-            continue;
-        if (standing.next == nullptr || each->time < standing.next->time) standing.next = each;
-    }
-    return standing;
-}
-
-bool Narrowing::may_win(const Bounds& bounds, const Standing& standing) const {
-    if (!bounds.is_possible || bounds.time_low > budget_ms_ || !may_keep_errors(bounds)) return false;
-    if (standing.best == nullptr || &bounds == standing.best) return true;
-    if (!are_errors_limited_ && bounds.rank > *standing.least_rank && told_apart(bounds.rank, *standing.least_rank))
-        return false;
-    if (!are_errors_limited_ && bounds.rank < *standing.least_rank && told_apart(bounds.rank, *standing.least_rank))
-        return true;
-    return bounds.time_low < standing.best->time;
-}
-
-bool Narrowing::may_be_next(const Bounds& bounds, const Standing& standing) const {
-    if (budget_ms_ == endless || !bounds.is_possible || bounds.time_high <= budget_ms_ || !may_keep_errors(bounds))
-        return false;
-    if (&bounds == standing.next) return true;
-    if (standing.least_rank && (bounds.rank > *standing.least_rank || !told_apart(bounds.rank, *standing.least_rank)))
-        return false;
-    return bounds.time_low < (standing.next != nullptr ? standing.next->time : next_step_window * budget_ms_);
-}
-
 /// By fewer samples of the same ladder, which take no longer, whatever noise makes of their times.
 Narrowing::Dominance Narrowing::dominance(std::size_t setting, const Judged& judged) const {
     Dominance dominance;
-    const Bounds& own = judged.bounds[setting];
+    const SettingBounds& own = judged.bounds[setting];
     const std::optional<double>& least = judged.standing.least_rank;
     for (const std::size_t other : ladders_[settings_[setting].ladder]) {
-        const Bounds& bounds = judged.bounds[other];
+        const SettingBounds& bounds = judged.bounds[other];
         const bool is_below = settings_[other].sample_count < settings_[setting].sample_count;
-        if (!is_below || !bounds.is_possible || !bounds.is_complete || !may_keep_errors(bounds)) continue;
-        const bool errs_no_more = bounds.rank <= own.rank;
-        const bool is_as_good = least && !told_apart(bounds.rank, own.rank) && !told_apart(bounds.rank, *least);
-        dominance.as_best = dominance.as_best || are_errors_limited_ || errs_no_more || is_as_good;
+        if (!is_below || !bounds.is_possible || !bounds.is_complete || !rules_.may_keep_errors(bounds)) continue;
+        const bool errs_no_more = bounds.errors.rank <= own.errors.rank;
+        const bool is_as_good = least && !rules_.told_apart(bounds.errors.rank, own.errors.rank) &&
+                                !rules_.told_apart(bounds.errors.rank, *least);
+        dominance.as_best = dominance.as_best || rules_.are_errors_limited() || errs_no_more || is_as_good;
         dominance.as_next = dominance.as_next || errs_no_more;
     }
     return dominance;
@@ -266,22 +160,23 @@ Narrowing::Judged Narrowing::judge(const Contest& contest) const {
     Judged judged;
     for (std::size_t setting = 0; setting < settings_.size(); ++setting)
         judged.bounds.push_back(bounds_of(setting, contest));
-    judged.standing = standing_of(judged.bounds);
+    judged.standing = rules_.standing_of(judged.bounds);
     bool may_any_win = false;
     for (std::size_t setting = 0; setting < settings_.size(); ++setting) {
-        const Bounds& bounds = judged.bounds[setting];
+        const SettingBounds& bounds = judged.bounds[setting];
         const Dominance dominated = dominance(setting, judged);
         // What the figures so far advise is measured, though it may owe its place to noise.
         const bool is_advised = &bounds == judged.standing.best || &bounds == judged.standing.next;
-        const bool wins = !dominated.as_best && may_win(bounds, judged.standing);
+        const bool wins = !dominated.as_best && rules_.may_win(bounds, judged.standing);
         may_any_win = may_any_win || wins || is_advised;
-        judged.is_viable.push_back(is_advised || wins || (!dominated.as_next && may_be_next(bounds, judged.standing)));
+        judged.is_viable.push_back(is_advised || wins ||
+                                   (!dominated.as_next && rules_.may_be_next(bounds, judged.standing)));
     }
     if (may_any_win) return judged;
     for (std::size_t setting = 0; setting < settings_.size(); ++setting) {
-        const Bounds& bounds = judged.bounds[setting];
+        const SettingBounds& bounds = judged.bounds[setting];
         const bool may_be_nearest =
-            !judged.standing.has_nearest || least_excess(bounds) <= judged.standing.nearest_excess;
+            !judged.standing.has_nearest || rules_.least_excess(bounds) <= judged.standing.nearest_excess;
         if (bounds.is_possible && may_be_nearest) judged.is_viable[setting] = true;
     }
     return judged;
@@ -330,11 +225,12 @@ std::vector<std::size_t> Narrowing::chosen_of_ladder(const Contest& contest, con
     std::vector<std::size_t> chosen;
     std::optional<std::size_t> to_complete;
     const auto promise = [&](std::size_t setting) {
-        const Bounds& bounds = judged.bounds[setting];
-        return are_errors_limited_ ? std::pair(bounds.time_low, bounds.rank) : std::pair(bounds.rank, bounds.time_low);
+        const SettingBounds& bounds = judged.bounds[setting];
+        return rules_.are_errors_limited() ? std::pair(bounds.time_low, bounds.errors.rank)
+                                           : std::pair(bounds.errors.rank, bounds.time_low);
     };
     for (const std::size_t setting : ladder) {
-        const Bounds& bounds = judged.bounds[setting];
+        const SettingBounds& bounds = judged.bounds[setting];
         if (!judged.is_viable[setting] || bounds.is_complete || !bounds.is_drawn_somewhere) continue;
         if (!to_complete || promise(setting) < promise(*to_complete)) to_complete = setting;
     }
@@ -438,19 +334,19 @@ std::string Narrowing::reason_left_out(std::size_t cell) const {
     const auto [setting, view] = *places_[cell];
     for (const std::size_t other : ladders_[settings_[setting].ladder]) {
         if (!settings_[other].cells[view]) continue;
-        const Seen seen = seen_of(other, view);
+        const Seen& seen = seen_of(other, view);
         if (seen.is_skipped) return seen.reason;
     }
     std::string reason;
     for (const Contest& contest : contests_) {
         if (std::ranges::find(contest, view) == contest.end()) continue;
-        const Bounds bounds = bounds_of(setting, contest);
+        const SettingBounds bounds = bounds_of(setting, contest);
         if (judge(contest).is_viable[setting]) return "";
         if (!bounds.is_possible) {
             reason = "not measured: it is no answer in another view";
-        } else if (bounds.time_low > budget_ms_) {
+        } else if (bounds.time_low > rules_.budget_ms()) {
             reason = "not measured: with fewer samples, or in another view, it takes longer than the budget";
-        } else if (!may_keep_errors(bounds)) {
+        } else if (!rules_.may_keep_errors(bounds)) {
             reason = "not measured: with more samples, or in another view, it errs more than may be";
         } else {
             reason = "not measured: others err no more and take no longer, as its other sample counts show";

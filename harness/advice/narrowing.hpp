@@ -1,6 +1,6 @@
 #pragma once
 
-#include "compare/deciding_figures.hpp"
+#include "advice/contest_rules.hpp"
 #include "report/advice.hpp"
 #include "store/cell_result.hpp"
 
@@ -54,7 +54,7 @@ TimeBounds time_bounds(const PassTiming& draw, bool is_settled);
 class Narrowing {
 public:
     /// A setting takes part in a contest where it has a cell in each of its views.
-    Narrowing(std::vector<SweptSetting> settings, std::vector<Contest> contests, AdviceRequest request);
+    Narrowing(std::vector<SweptSetting> settings, std::vector<Contest> contests, const AdviceRequest& request);
 
     /// The cell was drawn and has its figures, or has ended as skipped or failed.
     void set_result(std::size_t cell, const CellResult& result);
@@ -79,55 +79,27 @@ private:
         bool is_known = false;
         bool is_skipped = false;
         bool is_failed = false;
-        /// Of the setting's limits, then wrong hits; less is better.
-        std::vector<double> limited;
-        double rank = 0;
+        /// Empty where it was not drawn, or has not all of them.
+        std::optional<CellErrors> errors;
         std::string reason;
         TimeBounds time;
     };
-    /// What is known of a setting in a contest; less is better everywhere.
-    struct Bounds {
-        bool is_possible = true;
-        /// All of its cells are drawn and timed.
-        bool is_complete = true;
-        bool is_drawn_somewhere = false;
-        double time_low = 0;
-        double time_high = 0;
-        double time = 0;
-        double rank = 0;
-        std::vector<double> limited;
-    };
-    /// What the best known so far are.
-    struct Standing {
-        const Bounds* best = nullptr;
-        /// Within all limits.
-        std::optional<double> least_rank;
-        const Bounds* next = nullptr;
-        double nearest_excess = 0;
-        bool has_nearest = false;
-    };
     struct Judged {
-        std::vector<Bounds> bounds;
+        std::vector<SettingBounds> bounds;
         Standing standing;
         std::vector<bool> is_viable;
     };
 
-    Seen seen_of(std::size_t setting, std::size_t view) const;
-    void add_view(std::size_t setting, std::size_t view, Bounds& bounds) const;
+    const Seen& seen_of(std::size_t setting, std::size_t view) const;
+    void add_view(std::size_t setting, std::size_t view, SettingBounds& bounds) const;
     double rank_from_below(std::size_t setting, std::size_t view) const;
-    Bounds bounds_of(std::size_t setting, const Contest& contest) const;
+    SettingBounds bounds_of(std::size_t setting, const Contest& contest) const;
     Judged judge(const Contest& contest) const;
-    Standing standing_of(const std::vector<Bounds>& bounds) const;
-    bool may_keep_errors(const Bounds& bounds) const;
-    bool may_win(const Bounds& bounds, const Standing& standing) const;
-    bool may_be_next(const Bounds& bounds, const Standing& standing) const;
-    double least_excess(const Bounds& bounds) const;
     struct Dominance {
         bool as_best = false;
         bool as_next = false;
     };
     Dominance dominance(std::size_t setting, const Judged& judged) const;
-    bool told_apart(double rank, double other) const;
 
     std::set<std::size_t> unseen_wanted() const;
     bool may_be_visited(std::size_t cell) const;
@@ -138,13 +110,7 @@ private:
 
     std::vector<SweptSetting> settings_;
     std::vector<Contest> contests_;
-    AdviceRequest request_;
-    FigureTolerance tolerance_;
-    double budget_ms_;
-    /// Error limits as values of which less is better; wrong hits last.
-    std::vector<const AdviceLimit*> error_limits_;
-    std::vector<double> error_bounds_;
-    bool are_errors_limited_ = false;
+    ContestRules rules_;
     /// By ladder, ascending in the sample count.
     std::vector<std::vector<std::size_t>> ladders_;
     /// By cell.

@@ -289,7 +289,7 @@ private:
                 std::optional<StopReason>& stop = found->second.sampled.stop;
                 if (!stop) stop = is_time_over ? StopReason::time : StopReason::narrowed;
                 finish(index);
-            } else if (std::string reason = chooser_.reason_left_out(index); !reason.empty()) {
+            } else if (std::string reason = chooser_.reason_left_out(index); !is_time_over && !reason.empty()) {
                 log_.record(ended_result(cells_[index], CellStatus::skipped, reason));
                 leave(index);
             }

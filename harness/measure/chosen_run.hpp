@@ -46,8 +46,8 @@ struct ChosenOutcome : RunOutcome {
 /// so that what is compared in the end was sampled in the same minutes. The chooser is told when the configuration's
 /// rule would stop a cell. In the end those with samples are finished as they are (where the rule does not stop them
 /// StopReason::narrowed, or `time` where the deadline cut them off), and those that were not worth measuring are
-/// skipped with the reason; where the deadline came first, those that may be stay unfinished, for a run that goes on.
-/// Interrupted, it leaves all of them unfinished, with their samples in the folder.
+/// skipped with the reason; where the deadline came first, what was not measured stays unfinished, for a run that goes
+/// on. Interrupted, it leaves all unfinished, with their samples in the folder.
 ChosenOutcome run_chosen_cells(CellSource& source, const Configuration& configuration, const std::vector<Cell>& cells,
                                RunWriter& writer, CellChooser& chooser,
                                const std::function<void(const Progress&)>& on_progress, const Clock& clock,

@@ -149,7 +149,7 @@ TEST_F(AdviseMap, WhatARunLeftOutCanBeMeasuredAfterwards) {
     ASSERT_EQ(ask({"--budget", "1s", "--time", "0.01s"}).code, 0);
     const Outcome rest = reliefbench({"run", path("kept/run.json"), "-o", path("kept"), "--resume"});
     EXPECT_EQ(rest.code, 0) << rest.err;
-    EXPECT_GT(count_status("ok"), 25U);
+    EXPECT_EQ(count_status("skipped"), 0U);
     EXPECT_THAT(read_file(path("kept/summary.json")), HasSubstr("stop"));
 }
 
