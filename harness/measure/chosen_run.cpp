@@ -71,6 +71,8 @@ public:
         while (!is_done && !must_end()) {
             std::vector<std::size_t> wanted = chooser_.next_round();
             std::erase_if(wanted, [this](std::size_t index) { return static_cast<bool>(is_recorded_[index]); });
+            // The others come with the next round.
+            if (wanted.size() > options_.max_ready) wanted.resize(options_.max_ready);
             is_done = wanted.empty();
             if (!is_done) measure_round(wanted);
         }
@@ -122,6 +124,7 @@ private:
     }
 
     void measure_round(const std::vector<std::size_t>& wanted) {
+        make_room_for(wanted);
         for (auto begin = wanted.begin(); begin != wanted.end() && !must_end();) {
             const ViewKey& view = cells_[*begin].view;
             const auto end =
@@ -134,7 +137,6 @@ private:
             if (ready_.contains(index)) visited.push_back(index);
         }
         if (!visited.empty() && !must_end()) visit(visited);
-        drop_some();
         ++round_;
     }
 
@@ -249,12 +251,22 @@ private:
         chooser_.add_times(index, summarize_timing(draw->second, measured.repeats), measured.sampled.stop.has_value());
     }
 
-    void drop_some() {
-        while (ready_.size() > options_.max_ready) {
-            const auto least_lately = std::ranges::min_element(
-                ready_, {}, [this](const auto& ready) { return measured_.at(ready.first).last_round; });
-            ready_.erase(least_lately);
+    /// What was visited least lately goes.
+    void make_room_for(const std::vector<std::size_t>& wanted) {
+        std::vector<std::size_t> idle;
+        for (const auto& [index, ready] : ready_) {
+            if (std::ranges::find(wanted, index) == wanted.end()) idle.push_back(index);
         }
+        std::ranges::sort(idle, {}, [this](std::size_t index) { return measured_.at(index).last_round; });
+        for (const std::size_t index : idle) {
+            if (ready_.size() + count_not_ready(wanted) <= options_.max_ready) break;
+            ready_.erase(index);
+        }
+    }
+
+    std::size_t count_not_ready(const std::vector<std::size_t>& wanted) const {
+        return static_cast<std::size_t>(
+            std::ranges::count_if(wanted, [this](std::size_t index) { return !ready_.contains(index); }));
     }
 
     void finish(std::size_t index) {
