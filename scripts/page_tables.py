@@ -1,4 +1,4 @@
-"""Tables of documents that are written from runs: scripts/write_curved_tables, scripts/write_filtering_tables."""
+"""Tables of documents that are written from runs: scripts/write_curved_tables, write_filtering_tables, write_engine_tables."""
 
 import json
 import os
@@ -49,10 +49,13 @@ def made_of(run, configuration):
     return f"Device: {device}. Configuration: [configs/{configuration.name}](../configs/{configuration.name})."
 
 
+def program():
+    """$RELIEFBENCH, or else build/release/reliefbench."""
+    return os.environ.get("RELIEFBENCH", str(ROOT / "build/release/reliefbench"))
+
+
 def run_configuration(configuration, run):
-    """With $RELIEFBENCH, or else build/release/reliefbench."""
-    program = os.environ.get("RELIEFBENCH", str(ROOT / "build/release/reliefbench"))
-    subprocess.run([program, "run", str(configuration), "-o", str(run)], check=True)
+    subprocess.run([program(), "run", str(configuration), "-o", str(run)], check=True)
 
 
 def write_between(page, begin, lines):

@@ -1,6 +1,7 @@
 #include "advice/candidate_sweep.hpp"
 
 #include "manifest/parameter_json.hpp"
+#include "report/view_groups.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,8 +23,6 @@ constexpr int rungs_above = 8;
 constexpr double first_sample_count = 16;
 /// Maps that take longer are for a longer look than advice is: several techniques want some.
 constexpr double preparation_limit_s = 10;
-/// Whose views are answered for together.
-constexpr std::array pooled_view_axes{"heightmap", "azimuth"};
 
 const Parameter* sample_parameter(const Manifest& manifest) {
     return manifest.sample_count ? manifest.find_parameter(*manifest.sample_count) : nullptr;
@@ -66,8 +65,8 @@ bool needs_maps(const Cell& cell, const Manifest& manifest) {
 
 std::string contest_key(const ViewKey& view) {
     Json axes = axes_to_json(view);
-    for (const char* const axis : pooled_view_axes)
-        axes.erase(axis);
+    for (const std::string_view axis : pooled_axes)
+        axes.erase(std::string(axis));
     return axes.dump();
 }
 

@@ -5,22 +5,19 @@
 #include "core/split.hpp"
 #include "report/cautions.hpp"
 #include "report/quality_cost.hpp"
+#include "report/view_groups.hpp"
 #include "store/chosen_figures.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace reliefbench {
 
 namespace {
 
 constexpr std::size_t next_steps = 3;
-/// Axes that whoever asks does not choose: which material is seen, and from which side.
-constexpr std::string_view pooled_axes[] = {"heightmap", "azimuth"};
-
 bool can_be_told_apart(double a, double b, const FigureTolerance& tolerance) {
     return size_in_tolerances(a, b, tolerance) > 1;
 }
@@ -46,41 +43,6 @@ std::optional<double> relief_share(const CellResult& cell) {
     return *covered / *pixels;
 }
 
-bool is_measured(const CellResult& cell) {
-    return cell.status == CellStatus::ok && draw_timing(cell) != nullptr;
-}
-
-/// Axes by which the cells differ, but those that are pooled.
-std::vector<std::string> dividing_axes(const std::vector<CellResult>& cells) {
-    std::vector<std::string> order;
-    std::map<std::string, std::set<std::string>> values;
-    for (const CellResult& cell : cells) {
-        if (!is_measured(cell) || !cell.axes.is_object()) continue;
-        for (const auto& [axis, value] : cell.axes.items()) {
-            if (value.is_null() || std::ranges::find(pooled_axes, axis) != std::end(pooled_axes)) continue;
-            if (!values.contains(axis)) order.push_back(axis);
-            values[axis].insert(value.dump());
-        }
-    }
-    std::erase_if(order, [&](const std::string& axis) { return values.at(axis).size() < 2; });
-    return order;
-}
-
-/// Cells of one kind of view.
-struct Group {
-    std::vector<std::pair<std::string, Json>> axes;
-    std::vector<const CellResult*> cells;
-};
-
-/// All measured cells.
-Group group_of_all(const std::vector<CellResult>& cells) {
-    Group group;
-    for (const CellResult& cell : cells) {
-        if (is_measured(cell)) group.cells.push_back(&cell);
-    }
-    return group;
-}
-
 /// By the words of the setting: what it names is what is not at its default.
 Json selection_of(const std::string& setting, const CellResult& cell) {
     Json selection = {{"technique", cell.technique}};
@@ -93,27 +55,10 @@ Json selection_of(const std::string& setting, const CellResult& cell) {
     return selection;
 }
 
-std::vector<Group> groups_of(const std::vector<CellResult>& cells) {
-    const std::vector<std::string> dividing = dividing_axes(cells);
-    std::vector<Group> groups;
-    for (const CellResult& cell : cells) {
-        if (!is_measured(cell)) continue;
-        std::vector<std::pair<std::string, Json>> axes;
-        for (const std::string& axis : dividing) {
-            const Json value = cell.axes.is_object() ? cell.axes.value(axis, Json()) : Json();
-            if (!value.is_null()) axes.emplace_back(axis, value);
-        }
-        auto group = std::ranges::find(groups, axes, &Group::axes);
-        if (group == groups.end()) group = groups.insert(groups.end(), Group{axes, {}});
-        group->cells.push_back(&cell);
-    }
-    return groups;
-}
-
 /// Answers for the settings of one group.
 class Adviser {
 public:
-    Adviser(const Advice& advice, const Group& group) : advice_(advice), request_(advice.request) {
+    Adviser(const Advice& advice, const ViewGroup& group) : advice_(advice), request_(advice.request) {
         answer_.axes = group.axes;
         std::vector<std::string> order;
         std::map<std::string, std::vector<const CellResult*>> by_setting;
@@ -391,11 +336,11 @@ Advice advise(const std::vector<CellResult>& cells, const AdviceRequest& request
     for (const AdviceLimit& limit : request.limits) {
         require(*limit.figure);
     }
-    for (const Group& group : groups_of(cells)) {
+    for (const ViewGroup& group : groups_of_views(cells)) {
         advice.views.push_back(Adviser(advice, group).answer());
     }
     if (request.asks_for_all_views && advice.views.size() > 1)
-        advice.all_views = Adviser(advice, group_of_all(cells)).answer();
+        advice.all_views = Adviser(advice, group_of_all_views(cells)).answer();
     return advice;
 }
 

@@ -110,28 +110,6 @@ TEST(Expansion, IdsNameEveryAxisThatIsNotAtItsDefault) {
     EXPECT_EQ(cell_id(fake_techniques()[3], cells[0].parameters, cells[0].view), cells[0].id);
 }
 
-TEST(Expansion, PolygonsWithinTheReliefMoveTheCameraWithThem) {
-    const std::vector<Cell> cells = expand_text(
-        R"({"techniques": ["plain"], "axes": {"heightmap": "rock", "polygon_height": [1, 0.25], "height_scale": 0.2}})");
-    EXPECT_THAT(ids(cells), ElementsAre("plain | heightmap=rock height_scale=0.2",
-                                        "plain | heightmap=rock height_scale=0.2 polygon_height=0.25"));
-    EXPECT_EQ(cells[0].view.view.camera.target_height, 0);
-    EXPECT_DOUBLE_EQ(cells[1].view.view.camera.target_height, -0.75 * 0.2);
-}
-
-TEST(Expansion, WhereReliefAboveThePolygonCannotBeDrawnCellsAreSkipped) {
-    const auto reason = [](const std::string& more) {
-        return expand_text(R"({"techniques": ["plain"], "axes": {"heightmap": "rock", "polygon_height": 0.5, )" + more +
-                           "}}")
-            .front()
-            .skip_reason;
-    };
-    EXPECT_EQ(reason(R"("view_angle": 60)"), "");
-    EXPECT_THAT(reason(R"("base": "sphere")"), HasSubstr("known of the plane alone"));
-    EXPECT_THAT(reason(R"("depth_write": "conservative")"), HasSubstr("nearer than it"));
-    EXPECT_THAT(reason(R"("view_angle": 89, "height_scale": 0.2)"), HasSubstr("the eye would lie beneath"));
-}
-
 TEST(Expansion, DefaultsThatAreSpelledOutMakeTheSameIds) {
     EXPECT_THAT(ids(expand_text(R"({"techniques": ["march"], "axes": {"heightmap": {"name": "rock", "seed": 1},
         "heightmap_size": 256, "height_format": "r16", "view_angle": 0, "azimuth": -90.0, "projection": "perspective",

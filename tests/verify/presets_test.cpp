@@ -1,5 +1,6 @@
 // What the shipped presets do, against what their sources compute, worked out by hand.
 
+#include "core/json.hpp"
 #include "verify_test.hpp"
 
 #include <gmock/gmock.h>
@@ -86,6 +87,23 @@ TEST_F(ShippedPresets, AreAllHeldToTheirSources) {
     for (const Expected& row : table)
         expected.insert(row.preset);
     EXPECT_EQ(shipped_presets, expected);
+}
+
+TEST_F(ShippedPresets, AreAllInTheConfigurationOfEngines) {
+    const Json configuration =
+        read_json_file(std::filesystem::path(RELIEFBENCH_SOURCE_DIR) / "configs" / "engines.json");
+    std::set<std::string> there;
+    for (const Json& selection : configuration.at("techniques")) {
+        if (!selection.is_object() || !selection.contains("preset")) continue;
+        for (const Json& preset : selection.at("preset"))
+            there.insert(preset.get<std::string>());
+    }
+    std::set<std::string> shipped_presets;
+    for (const std::string& id : shipped_ids()) {
+        for (const Preset& preset : shipped(id).manifest.presets)
+            shipped_presets.insert(preset.name);
+    }
+    EXPECT_EQ(there, shipped_presets);
 }
 
 TEST_F(ShippedPresets, TakeTheStepsOfTheirSources) {
