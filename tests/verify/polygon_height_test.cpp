@@ -53,6 +53,19 @@ TEST_F(PolygonHeight, TessellationDrawsTheSameSurface) {
     }
 }
 
+/// They begin at the side, too, where searches from the top see nothing.
+TEST_F(PolygonHeight, ShellsDrawTheSameSurface) {
+    const CoordinateScene rock(device(), procedural("rock", {64, 64}));
+    for (const double height : {0.5, 0.0}) {
+        for (const Projection projection : {Projection::parallel, Projection::perspective}) {
+            const TruthComparison found = compare("shell_march", {}, rock, view_at(height, projection, Boundary::clip));
+            EXPECT_LT(found.errors.uv_texels->p50, 0.05) << height << to_string(projection);
+            EXPECT_LT(found.errors.missed, 0.01) << height << to_string(projection);
+            EXPECT_GT(found.errors.outside_quad_covered.value(), 0.95) << height << to_string(projection);
+        }
+    }
+}
+
 /// From an eye above the polygon, in steps of a hundredth of a texel.
 TEST_F(PolygonHeight, TruthsAreWhatAMarchFinds) {
     const HeightMap map = procedural("waves", {32, 32});

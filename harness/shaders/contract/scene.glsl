@@ -80,14 +80,14 @@ ViewRay view_ray(vec2 fragment) {
     across += scene.shift;
 #endif
     if (scene.parallel_rays != 0) {
-#ifdef RELIEFBENCH_CURVED
-        vec3 place = vec3(scene.window_low + vec2(across.x, 1.0 - across.y) * scene.window_size, 0.0);
-        return ViewRay(place + scene.forward * (scene.window_top / scene.forward.z), scene.forward, vec2(0.0), 0.0);
-#endif
         vec2 entry = vec2(across.x, 1.0 - across.y);
 #ifdef RELIEFBENCH_POLYGON_HEIGHT
-        // The picture is filled where the polygon lies.
+        // The picture is filled where the polygon lies: that of the plane, whose window is the patch.
         entry += scene.forward.xy * ((1.0 - scene.polygon_height) * scene.height_scale / scene.forward.z);
+#endif
+#ifdef RELIEFBENCH_CURVED
+        vec3 place = vec3(scene.window_low + entry * scene.window_size, 0.0);
+        return ViewRay(place + scene.forward * (scene.window_top / scene.forward.z), scene.forward, vec2(0.0), 0.0);
 #endif
         return ViewRay(vec3(entry - 0.5, 0.0), scene.forward, entry, 0.0);
     }
