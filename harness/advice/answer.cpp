@@ -142,13 +142,17 @@ private:
             std::string words =
                 fmt::format("{} ({}): {}", title == sweep_.preset_titles.end() ? preset.preset : title->second,
                             preset.setting, price_and_errors(advice_, preset));
-            if (preset.wrong_hits > wrong_hits_limit)
-                words += fmt::format(", misses {} % of its hits", significant(100 * preset.wrong_hits, 2));
-            words += better
-                         ? fmt::format("; for no more {} has {}", better->setting, price_and_errors(advice_, *better))
-                         : "; nothing that was measured is better for no more";
+            words += words_of_misses(preset);
+            words += better ? fmt::format("; for no more {} has {}{}", better->setting,
+                                          price_and_errors(advice_, *better), words_of_misses(*better))
+                            : "; nothing that was measured is better for no more";
             line(words);
         }
+    }
+
+    static std::string words_of_misses(const AdvisedSetting& setting) {
+        if (setting.wrong_hits <= wrong_hits_limit) return "";
+        return fmt::format(", misses {} % of its hits", significant(100 * setting.wrong_hits, 2));
     }
 
     const Advice& advice_;

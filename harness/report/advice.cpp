@@ -18,6 +18,9 @@ namespace reliefbench {
 namespace {
 
 constexpr std::size_t next_steps = 3;
+/// However wide the intervals are, what takes more than this longer by its median is not called as fast.
+constexpr double same_time_tolerance = 0.05;
+
 bool can_be_told_apart(double a, double b, const FigureTolerance& tolerance) {
     return size_in_tolerances(a, b, tolerance) > 1;
 }
@@ -134,7 +137,11 @@ private:
 
     void add(AdvisedSetting setting) {
         ++answer_.settings;
-        if (!setting.preset.empty()) answer_.presets.push_back({.preset = setting, .better = {}, .cheaper = {}});
+        if (setting.preset.empty()) {
+            without_preset_.push_back(setting);
+        } else {
+            answer_.presets.push_back({.preset = setting, .better = {}, .cheaper = {}});
+        }
         if (setting.wrong_hits > wrong_hits_limit) {
             ++answer_.wrong;
             answer_.wrong_within_limits += keeps_to_limits(setting) ? 1 : 0;
@@ -254,29 +261,31 @@ private:
         }
     }
 
-    void answer_cheaper(PresetAdvice& of) const {
+    /// Of `settings`, those with more wrong hits than `max_wrong_hits` left out.
+    void answer_preset(PresetAdvice& of, const std::vector<AdvisedSetting>& settings, double max_wrong_hits) const {
+        const AdvisedSetting& preset = of.preset;
+        const AdvisedSetting* better = nullptr;
         const AdvisedSetting* cheaper = nullptr;
-        for (const AdvisedSetting& setting : settings_) {
-            const bool is_as_good = !ranks_before(of.preset, setting) || !told_apart_by_error(setting, of.preset);
-            const bool is_faster = setting.ci95_ms.high < of.preset.ci95_ms.low;
-            if (!setting.preset.empty() || !is_as_good || !is_faster) continue;
-            if (cheaper == nullptr || is_cheaper(setting, *cheaper)) cheaper = &setting;
+        for (const AdvisedSetting& setting : settings) {
+            if (setting.wrong_hits > max_wrong_hits) continue;
+            const bool told_apart = told_apart_by_error(setting, preset);
+            const bool is_better = told_apart && ranks_before(setting, preset);
+            const bool is_slower =
+                setting.ci95_ms.low > preset.ci95_ms.high || setting.ms > (1 + same_time_tolerance) * preset.ms;
+            const bool is_faster = setting.ci95_ms.high < preset.ci95_ms.low;
+            if (is_better && !is_slower && (better == nullptr || ranks_before(setting, *better))) better = &setting;
+            if ((is_better || !told_apart) && is_faster && (cheaper == nullptr || is_cheaper(setting, *cheaper)))
+                cheaper = &setting;
         }
-        if (cheaper != nullptr) of.cheaper = *cheaper;
+        if (better != nullptr && !of.better) of.better = *better;
+        if (cheaper != nullptr && !of.cheaper) of.cheaper = *cheaper;
     }
 
     void answer_presets() {
         for (PresetAdvice& each : answer_.presets) {
-            const AdvisedSetting* better = nullptr;
-            for (const AdvisedSetting& setting : settings_) {
-                const bool is_better_for_no_more = setting.preset.empty() && setting.ms <= each.preset.ms &&
-                                                   ranks_before(setting, each.preset) &&
-                                                   told_apart_by_error(setting, each.preset);
-                if (!is_better_for_no_more) continue;
-                if (better == nullptr || ranks_before(setting, *better)) better = &setting;
-            }
-            if (better != nullptr) each.better = *better;
-            answer_cheaper(each);
+            answer_preset(each, without_preset_, wrong_hits_limit);
+            // What is as cheap as a preset that is wrong at grazing angles often is so, too, only less.
+            answer_preset(each, without_preset_, each.preset.wrong_hits);
         }
         const std::optional<AdvisedSetting>& centre = answer_.best ? answer_.best : answer_.nearest;
         if (!centre) return;
@@ -289,6 +298,8 @@ private:
     const AdviceRequest& request_;
     /// With few enough missed and false hits.
     std::vector<AdvisedSetting> settings_;
+    /// Whatever their hits.
+    std::vector<AdvisedSetting> without_preset_;
     ViewAdvice answer_;
 };
 

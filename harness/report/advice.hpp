@@ -49,12 +49,14 @@ struct AdvisedSetting {
     std::vector<std::optional<double>> figures;
 };
 
-/// What a preset gives, and what would be had for its price.
+/// What a preset gives, and what would be had for its price: settings of no preset, whose missed and false hits are few
+/// (wrong_hits_limit); where none of those is, no more than the preset's. Slower and faster are by the 95 % intervals;
+/// what takes over 5 % longer by its median is slower, too.
 struct PresetAdvice {
     AdvisedSetting preset;
-    /// Of no preset, no slower and with an error that can be told to be less: the one of the least error.
+    /// Not slower, with an error that can be told to be less: the one of the least error.
     std::optional<AdvisedSetting> better;
-    /// Of no preset, with an error that cannot be told to be more and, by the 95 % intervals, faster: the fastest.
+    /// Faster, with an error that cannot be told to be more: the fastest.
     std::optional<AdvisedSetting> cheaper;
 };
 

@@ -100,10 +100,10 @@ std::string format_engines(const Advice& advice, const Json& record, std::size_t
         text += indented(axes_words(view) + worst, 0, columns) + table_of_engines(advice, view, record, columns) + '\n';
     }
     text += indented(
-        "better, no slower: of the settings of no preset that take no more time, the least error, where that can be "
-        "told "
-        "from the preset's; as good, faster: the fastest whose error cannot be told to be more. Wrong hits: missed and "
-        "false, per cent of the footprint.",
+        "better, no slower: of the settings of no preset that cannot be told to take more time, nor take over 5 % "
+        "longer, the least error, where that can be told from the preset's; as good, faster: the fastest whose error "
+        "cannot be told to be more. Their wrong hits (missed and false, per cent of the footprint) are at most 0.5 % "
+        "or, where nothing else is there, no more than the preset's. What is not there was not measured.",
         0, columns);
     text += notes_of(advice, record, columns);
     if (!advice.caution.empty()) text += indented("caution: " + advice.caution, 0, columns);

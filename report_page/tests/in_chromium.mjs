@@ -71,12 +71,19 @@ testsOfPage(() => {
     "engines",
     [
       preset(measured({ technique: "pom", ms: 2, uv: 4, missed: 0.02 })),
-      measured({ technique: "qdm", ms: 1.5, uv: 0.1 }),
+      measured({ technique: "qdm", ms: 1.5, uv: 0.1, missed: 0.006 }),
     ],
     {
       more: {
         presets: {
-          pom: { engine: { title: hostile, source: "engine, a.glsl at 1a", parameters: {}, not_expressed: "Its fade." } },
+          pom: {
+            engine: {
+              title: hostile,
+              source: "engine, a.glsl at 1a",
+              parameters: { max_steps: 32 },
+              not_expressed: "Its fade.",
+            },
+          },
         },
       },
     },
@@ -450,8 +457,9 @@ test("a run of engines' presets opens on what they pay, what they miss, and what
   assert.equal(await page.textContent("nav [aria-current=page]"), "Engines");
   const row = await page.textContent(".engines tbody tr");
   assert.ok(row.includes(hostile), "the title, as text");
-  assert.match(row, /2\.00 ms.*⚠ 2\.0 %.*qdm.*0\.00100.*1\.50 ms/s);
-  assert.match(await page.textContent(".engine-sources"), /engine, a\.glsl at 1a.*Its fade\./s);
+  assert.match(row, /2\.00 ms.*⚠ 2\.0 %.*qdm.*0\.00100.*1\.50 ms.*⚠ 0\.60 % missed or false/s);
+  assert.ok(!(await page.textContent(".engine-table h3")).includes("worst of"), "there is one view");
+  assert.match(await page.textContent(".engine-sources"), /pom: max_steps 32.*engine, a\.glsl at 1a.*Its fade\./s);
   await page.keyboard.press("2");
   assert.equal(await page.textContent("nav [aria-current=page]"), "Quality against cost");
   await open("small");

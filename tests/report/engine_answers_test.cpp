@@ -75,6 +75,38 @@ TEST(EngineAnswers, AdviseNothingThatMissesItsHitsNorAnotherPresetNorWhatIsNotFa
     EXPECT_EQ(name(presets[1].cheaper), "") << "the intervals of their times overlap";
 }
 
+TEST(EngineAnswers, TakeWhatTheIntervalsOfTimesDoNotTellToBeSlower) {
+    const auto presets = [](double ms) {
+        return presets_of({drawn("pom preset=slow", 4, 0.05), drawn("qdm", ms, 0.01)});
+    };
+    EXPECT_EQ(name(presets(4.07).at(0).better), "qdm") << "4.03 to 4.11 and 3.96 to 4.04 overlap";
+    EXPECT_EQ(name(presets(4.07).at(0).cheaper), "");
+    EXPECT_EQ(name(presets(4.1).at(0).better), "");
+    const auto noisy = [](double ms) {
+        return presets_of({drawn("pom preset=slow", 4, 0.05, 0, 0.2), drawn("qdm", ms, 0.01, 0, 0.2)});
+    };
+    EXPECT_EQ(name(noisy(4.19).at(0).better), "qdm");
+    EXPECT_EQ(name(noisy(4.21).at(0).better), "") << "5 % longer is too much, whatever the noise";
+}
+
+TEST(EngineAnswers, ReplacePresetsThatMissTheirHitsByWhatMissesNoMore) {
+    const std::vector<PresetAdvice> presets =
+        presets_of({drawn("pom preset=quick", 2, 0.2, 0.02), drawn("steep", 1.9, 0.01, 0.021),
+                    drawn("relief", 2, 0.1, 0.02), drawn("secant", 1.5, 0.2, 0.01), drawn("qdm", 1.2, 0.1, 0.03)});
+    ASSERT_EQ(presets.size(), 1U);
+    EXPECT_EQ(name(presets[0].better), "relief");
+    EXPECT_EQ(name(presets[0].cheaper), "secant");
+}
+
+TEST(EngineAnswers, ReplacePresetsThatMissTheirHitsFirstByWhatFindsThem) {
+    const std::vector<PresetAdvice> presets =
+        presets_of({drawn("pom preset=quick", 2, 0.2, 0.02), drawn("steep", 1.9, 0.01, 0.02),
+                    drawn("relief", 1.8, 0.1, 0.005), drawn("secant", 1.5, 0.1, 0.01)});
+    ASSERT_EQ(presets.size(), 1U);
+    EXPECT_EQ(name(presets[0].better), "relief");
+    EXPECT_EQ(name(presets[0].cheaper), "relief");
+}
+
 TEST(EngineAnswers, OfPresetsThatMissTheirHitsAreGivenAllTheSame) {
     const std::vector<PresetAdvice> presets =
         presets_of({drawn("pom preset=slow", 4, 0.05, 0.03), drawn("qdm", 3, 0.01)});

@@ -11,7 +11,7 @@ import { significant } from "../numbers.ts";
 import { truthNote } from "../truth.ts";
 import { timesText } from "./advice_words.ts";
 
-/** Above this a preset's errors do not count, as everywhere (report/ranking.hpp). */
+/** Above this a setting's errors do not count, as everywhere (report/ranking.hpp). */
 const wrongHitsLimit = 0.005;
 
 const wrongLabel = "Missed and false hits";
@@ -43,6 +43,14 @@ function title(axes: Record<string, Json>): string {
   return parts.join(", ") || "All views";
 }
 
+function hasManyWrong(setting: EngineSetting): boolean {
+  return setting.wrong_hits > wrongHitsLimit;
+}
+
+function wrongText(setting: EngineSetting): string {
+  return `${hasManyWrong(setting) ? "⚠ " : ""}${significant(100 * setting.wrong_hits, 2)} %`;
+}
+
 function otherElement(
   app: App,
   label: string,
@@ -62,21 +70,22 @@ function otherElement(
       "div",
       { class: "muted small" },
       `${figure(other, rank)}${timesText(value, before, "error")}, ${metricText(cost, other.ms)}${timesText(other.ms, of.ms, "time")}`,
+      ...(hasManyWrong(other) ? [`; ${wrongText(other)} missed or false`] : []),
     ),
   );
 }
 
 function wrongElement(setting: EngineSetting): HTMLElement {
-  const many = setting.wrong_hits > wrongHitsLimit;
-  const text = `${significant(100 * setting.wrong_hits, 2)} %`;
   return h(
     "td",
     {
       class: "number",
       attrs: { "data-label": wrongLabel },
-      title: many ? "Above 0.5 % of the footprint: what it finds is often not there, and its errors are of the rest" : "",
+      title: hasManyWrong(setting)
+        ? "Above 0.5 % of the footprint: what it finds is often not there, and its errors are of the rest"
+        : "",
     },
-    many ? `⚠ ${text}` : text,
+    wrongText(setting),
   );
 }
 
@@ -115,7 +124,12 @@ function tableElement(app: App, view: EngineAnswers["views"][number], columns: C
   return h(
     "div",
     { class: "engine-table" },
-    h("h3", {}, title(view.axes), h("span", { class: "muted" }, `, worst of ${view.views.length} views`)),
+    h(
+      "h3",
+      {},
+      title(view.axes),
+      ...(view.views.length > 1 ? [h("span", { class: "muted" }, `, worst of ${view.views.length} views`)] : []),
+    ),
     h(
       "table",
       { class: "engines" },
@@ -140,7 +154,16 @@ function tableElement(app: App, view: EngineAnswers["views"][number], columns: C
   );
 }
 
-/** By title: source, and what no parameter expresses. */
+/** The technique and what is not at its defaults: "...: max_steps 32, min_steps 8" */
+function parametersText(app: App, preset: EngineSetting): string {
+  const values = deep(app.run().record, "presets", preset.technique, preset.preset ?? "", "parameters");
+  const parts = Object.entries(values !== null && typeof values === "object" ? values : {}).map(
+    ([name, value]) => `${name} ${valueText(value)}`,
+  );
+  return `${preset.technique}: ${parts.join(", ") || "all parameters at their defaults"}`;
+}
+
+/** By title: parameters, source, and what no parameter expresses. */
 function sourcesElement(app: App, answers: EngineAnswers): HTMLElement {
   const presets = new Map<string, EngineSetting>();
   for (const { presets: rows = [] } of answers.views)
@@ -149,7 +172,7 @@ function sourcesElement(app: App, answers: EngineAnswers): HTMLElement {
   return h(
     "details",
     { class: "engine-sources" },
-    h("summary", {}, "Sources, and what the presets do not express"),
+    h("summary", {}, "Parameters, sources, and what the presets do not express"),
     h(
       "dl",
       {},
@@ -158,6 +181,7 @@ function sourcesElement(app: App, answers: EngineAnswers): HTMLElement {
         h(
           "dd",
           {},
+          h("div", {}, parametersText(app, preset)),
           recordOf(app, preset, "source"),
           ...[recordOf(app, preset, "not_expressed")].filter((note) => note !== "").map((note) => h("div", {}, note)),
         ),
@@ -189,7 +213,7 @@ export function enginesView(app: App): View | null {
       h(
         "span",
         {},
-        "Better, no slower: of the other settings of this run that take no more time, the least error, where that can be told from the preset's. As good, faster: the fastest whose error cannot be told to be more. Settings with missed and false hits above 0.5 % of the footprint are neither.",
+        "Better, no slower: of the settings of no preset that cannot be told to take more time, nor take over 5 % longer, the least error, where that can be told from the preset's. As good, faster: the fastest whose error cannot be told to be more. Settings with missed and false hits above 0.5 % of the footprint are neither, unless nothing else is there and the preset has as many.",
       ),
       h("span", {}, "Of the whole run, whatever is filtered."),
     ),
