@@ -95,8 +95,13 @@ function rowElement(
   columns: Columns,
 ): HTMLElement {
   const { cost, perPixel, rank, uv } = columns;
-  const number = (of: KnownFigure, text: string) =>
-    h("td", { class: "number", attrs: { "data-label": of.label } }, text);
+  const number = (of: KnownFigure, text: string, second: KnownFigure, secondText: string) =>
+    h(
+      "td",
+      { class: "number", attrs: { "data-label": of.label } },
+      text,
+      h("div", { class: "muted small", attrs: { "data-label": second.label } }, secondText),
+    );
   return h(
     "tr",
     {},
@@ -106,21 +111,29 @@ function rowElement(
       recordOf(app, preset, "title") || preset.preset || "",
       h("div", { class: "muted small" }, settingElement(app, preset.setting, preset.technique)),
     ),
-    number(cost, metricText(cost, preset.ms)),
-    number(rank, figure(preset, rank)),
+    number(
+      cost,
+      metricText(cost, preset.ms),
+      perPixel,
+      preset.ns_per_pixel === null ? "–" : metricText(perPixel, preset.ns_per_pixel),
+    ),
+    number(rank, figure(preset, rank), uv, figure(preset, uv)),
     wrongElement(preset),
     otherElement(app, betterLabel, better, preset, columns),
     otherElement(app, cheaperLabel, cheaper, preset, columns),
-    number(uv, figure(preset, uv)),
-    number(perPixel, preset.ns_per_pixel === null ? "–" : metricText(perPixel, preset.ns_per_pixel)),
   );
 }
 
 function tableElement(app: App, view: EngineAnswers["views"][number], columns: Columns): HTMLElement | null {
   if (view.presets === undefined || view.presets.length === 0) return null;
   const { cost, perPixel, rank, uv } = columns;
-  const heading = (text: string, isNumber: boolean) =>
-    h("th", { class: isNumber ? "number" : "", attrs: { scope: "col" } }, text);
+  const heading = (text: string, isNumber: boolean, second = "") =>
+    h(
+      "th",
+      { class: isNumber ? "number" : "", attrs: { scope: "col" } },
+      text,
+      ...(second === "" ? [] : [h("div", { class: "muted small" }, second)]),
+    );
   return h(
     "div",
     { class: "engine-table" },
@@ -140,13 +153,11 @@ function tableElement(app: App, view: EngineAnswers["views"][number], columns: C
           "tr",
           {},
           heading("Engine", false),
-          heading(cost.label, true),
-          heading(rank.label, true),
+          heading(cost.label, true, perPixel.label),
+          heading(rank.label, true, uv.label),
           heading(wrongLabel, true),
           heading(betterLabel, false),
           heading(cheaperLabel, false),
-          heading(uv.label, true),
-          heading(perPixel.label, true),
         ),
       ),
       h("tbody", {}, ...view.presets.map((row) => rowElement(app, row, columns))),
