@@ -24,7 +24,7 @@ const Json empty_pass = {{"median_ms", 0.00125}, {"mad_ms", 0.0}, {"n", 21}};
 TEST(RunSummary, SaysHowCellsEndedAndWhereTheTimeWent) {
     EXPECT_EQ(make_run_summary(outcome_of_four(), empty_pass), Json::parse(R"({
         "cells": {"ok": 3, "skipped": 0, "failed": 1},
-        "stop": {"precise": 2, "stalled": 0, "budget": 1, "rounds": 0, "time": 0},
+        "stop": {"precise": 2, "stalled": 0, "budget": 1, "rounds": 0, "time": 0, "narrowed": 0},
         "throttled_cells": 1,
         "total_s": 20.0, "samples_s": 8.0, "truth_s": 1.0, "truths": {"traced": 2, "cached": 0},
         "timing": {"total_s": 8.0, "samples_s": 7.5, "utilisation": 0.9375},

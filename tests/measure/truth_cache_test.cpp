@@ -64,7 +64,8 @@ TEST(TruthCache, EveryAxisThatMovesHitsIsOfTheKey) {
                                              {"curvature", -0.5},
                                              {"base_segments", 5},
                                              {"albedo", ""},
-                                             {"base_fit", "none"}};
+                                             {"base_fit", "none"},
+                                             {"polygon_height", 0.5}};
     std::set<std::string> keys{key_of(view_with(usual))};
     std::size_t expected = 1;
     for (const ViewAxis& axis : view_axes()) {

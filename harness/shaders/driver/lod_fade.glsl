@@ -10,16 +10,22 @@
 
 // 0: all of the relief; 1: none of it. `distance` is the eye's from the ray's entry.
 float lod_fade_at(ReliefRay ray, float distance) {
-    if (lod_fade == lod_fade_off) return 0.0;
-    if (lod_fade == lod_fade_texels) {
-        // PlayCanvas: of a relief that no texel tells from a flat one nothing is to be seen but noise.
-        float texels = length(straight_offset(ray) * vec2(height_map_size())) / exp2(max(0.0, ray.level));
-        if (texels <= lod_fade_end_texels) return 1.0;
-        return clamp((lod_fade_begin_texels - texels) / max(lod_fade_begin_texels - lod_fade_end_texels, 1e-6), 0.0, 1.0);
-    }
-    float level = lod_fade == lod_fade_mip ? ray.level : distance;
+#if defined(LOD_FADE_TEXELS)
+    // PlayCanvas: of a relief that no texel tells from a flat one nothing is to be seen but noise.
+    float texels = length(straight_offset(ray) * vec2(height_map_size())) / exp2(max(0.0, ray.level));
+    if (texels <= lod_fade_end_texels) return 1.0;
+    return clamp((lod_fade_begin_texels - texels) / max(lod_fade_begin_texels - lod_fade_end_texels, 1e-6), 0.0, 1.0);
+#elif defined(LOD_FADE_MIP) || defined(LOD_FADE_DISTANCE)
+#ifdef LOD_FADE_MIP
+    float level = ray.level;
+#else
+    float level = distance;
+#endif
     if (level >= lod_fade_end) return 1.0;
     return clamp(1.0 - (lod_fade_end - level) / lod_fade_width, 0.0, 1.0);
+#else
+    return 0.0;
+#endif
 }
 
 // The ray's parameter before the fade drew it to `s`.
