@@ -62,17 +62,20 @@ Json resumed_record(Json recorded, const Json& now, const std::vector<std::strin
 struct OpenedRun {
     std::unique_ptr<RunWriter> writer;
     EarlierWork earlier;
+    /// Of a run for advice: what its time cut off goes on.
+    std::vector<CellResult> cut_off = {};
 };
 
 /// Goes on with the run in the folder, as far as it is the same one.
-OpenedRun resume_run(const std::filesystem::path& folder, const Json& now, bool force) {
+OpenedRun resume_run(const Json& now, const RunJob& job) {
+    const std::filesystem::path& folder = job.folder;
     const Json recorded = read_run_record(folder);
     if (const int format = format_of(JsonView(recorded, folder.string())); format != stored_run_format) {
         fail("{} cannot be resumed: its files have format {}, and this version writes {}; choose another -o",
              folder.string(), format, stored_run_format);
     }
     const std::vector<std::string> differences = resume_differences(recorded, now);
-    if (!differences.empty() && !force) {
+    if (!differences.empty() && job.resume != "force") {
         fail(
             "{} cannot be resumed: {}; choose another -o for a run of its own, or --resume=force, which goes on all "
             "the "
@@ -86,17 +89,18 @@ OpenedRun resume_run(const std::filesystem::path& folder, const Json& now, bool 
         std::make_unique<RunWriter>(folder, resumed_record(recorded, now, differences), RunWriter::Continue{});
     for (const std::string& repair : opened.writer->repairs())
         log_warning("{}: {}", folder.string(), repair);
+    if (job.chosen && !read_run_summary(folder)) opened.cut_off = opened.writer->take_out_cut_off_cells();
     opened.earlier = read_earlier_work(folder, draw_pass);
     opened.earlier.forced = !differences.empty();
     return opened;
 }
 
-OpenedRun open_run(const std::filesystem::path& folder, const Json& record, const std::string& resume) {
-    if (!resume.empty()) {
-        if (holds_run(folder)) return resume_run(folder, record, resume == "force");
-        remove_unstarted_run(folder);
+OpenedRun open_run(const RunJob& job, const Json& record) {
+    if (job.takes_over || !job.resume.empty()) {
+        if (holds_run(job.folder)) return resume_run(record, job);
+        remove_unstarted_run(job.folder);
     }
-    return {std::make_unique<RunWriter>(folder, record), {}};
+    return {std::make_unique<RunWriter>(job.folder, record), {}};
 }
 
 ExitCode report_failures(const std::vector<CellResult>& cells) {
@@ -176,20 +180,21 @@ std::vector<CellResult> finished_cells(const std::filesystem::path& folder, cons
     return read_run(folder).cells;
 }
 
-ChosenOutcome measure(const RunJob& job, const gpu::Device& device, RunWriter& writer, EarlierWork earlier,
-                      WorkerStatus& status) {
+ChosenOutcome measure(const RunJob& job, const gpu::Device& device, OpenedRun& opened, WorkerStatus& status) {
+    RunWriter& writer = *opened.writer;
     const Configuration& configuration = job.sources.configuration;
     if (configuration.images) write_legends(writer);
     MapMaking maps{.cache = cache_folder(),
-                   .failed = crashed_preparations(earlier.crashed_preparations),
+                   .failed = crashed_preparations(opened.earlier.crashed_preparations),
                    .on_maps = [&status](const std::string& key) { status.begin_maps(key); },
                    .timed = !job.chosen};
     DeviceCells source(device, job.sources.library, configuration, job.sources.cells, writer, std::move(maps));
     ProgressPrinter printer;
     const auto on_progress = [&printer](const Progress& progress) { printer(progress); };
     ChosenOptions options;
-    options.finished = job.chosen ? finished_cells(writer.folder(), earlier) : std::vector<CellResult>();
-    options.earlier = std::move(earlier);
+    options.finished = job.chosen ? finished_cells(writer.folder(), opened.earlier) : std::vector<CellResult>();
+    options.cut_off = std::move(opened.cut_off);
+    options.earlier = std::move(opened.earlier);
     options.is_interrupted = [&status] { return status.is_interrupted(); };
     options.on_cell = [&status](const std::string& cell) { status.begin_cell(cell); };
     if (!job.chosen)
@@ -216,8 +221,7 @@ ExitCode work_on_run(const RunJob& job, WorkerStatus& status) {
         status.end(WorkerStatus::Ending::interrupted);
         return ExitCode::done;
     }
-    OpenedRun opened =
-        open_run(job.folder, make_record(job, device), job.takes_over && job.resume.empty() ? "plain" : job.resume);
+    OpenedRun opened = open_run(job, make_record(job, device));
     RunWriter& writer = *opened.writer;
     fmt::print(stderr, "{} on {}, results in {}\n", counted(job.sources.cells.size(), "cell"), device.info().name,
                writer.folder().string());
@@ -225,7 +229,7 @@ ExitCode work_on_run(const RunJob& job, WorkerStatus& status) {
         fmt::print(stderr, "finished already: {}\n", counted(opened.earlier.finished.size(), "cell"));
     }
 
-    ChosenOutcome outcome = measure(job, device, writer, std::move(opened.earlier), status);
+    ChosenOutcome outcome = measure(job, device, opened, status);
     outcome.split.total_s = steady_clock().seconds() - start_s;
     if (outcome.device_lost && outcome.ended_early) {
         fmt::print(stderr, "reliefbench: {} was lost; another worker goes on\n", device.info().name);

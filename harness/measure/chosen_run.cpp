@@ -119,8 +119,34 @@ private:
             const auto draw = result.time.find(draw_pass);
             if (draw != result.time.end()) chooser_.add_times(found->second, draw->second, true);
         }
+        for (const CellResult& result : options_.cut_off) {
+            if (const auto found = index_of_.find(result.cell); found != index_of_.end())
+                go_on_with(found->second, result);
+        }
         for (const auto& [cell, visits] : options_.earlier.visits)
             round_ = std::max(round_, static_cast<std::size_t>(visits.back().round) + 1);
+    }
+
+    /// The chooser knows it as it was left; it is made ready when it is wanted once more.
+    void go_on_with(std::size_t index, const CellResult& result) {
+        Measured measured{.result = result};
+        take_earlier_samples(measured);
+        const auto draw = result.time.find(draw_pass);
+        if (draw == result.time.end() || measured.sampled.samples.empty()) return;
+        measured.repeats = draw->second.repeats;
+        measured.sampled.throttled_rounds = result.throttled_rounds;
+        measured.sampled.stop = rule_->stop(measured.sampled.samples, measured.device_s);
+        chooser_.add_result(index, result);
+        chooser_.add_times(index, draw->second, measured.sampled.stop.has_value());
+        measured_.emplace(index, std::move(measured));
+    }
+
+    void take_earlier_samples(Measured& measured) const {
+        const auto earlier = options_.earlier.visits.find(measured.result.cell);
+        if (earlier == options_.earlier.visits.end()) return;
+        EarlierSamples samples = earlier_samples(earlier->second);
+        measured.sampled.samples = std::move(samples.samples);
+        measured.device_s = samples.device_s;
     }
 
     void measure_round(const std::vector<std::size_t>& wanted) {
@@ -181,12 +207,7 @@ private:
         auto [known, is_new] = measured_.try_emplace(index);
         if (is_new) {
             known->second.result = cell.result;
-            if (const auto earlier = options_.earlier.visits.find(cell.result.cell);
-                earlier != options_.earlier.visits.end()) {
-                EarlierSamples samples = earlier_samples(earlier->second);
-                known->second.sampled.samples = std::move(samples.samples);
-                known->second.device_s = samples.device_s;
-            }
+            take_earlier_samples(known->second);
             chooser_.add_result(index, cell.result);
         }
         known->second.last_round = round_;

@@ -35,6 +35,9 @@ struct ChosenOptions : MeasureOptions {
     std::size_t max_ready = 64;
     /// Of `earlier.finished`.
     std::vector<CellResult> finished = {};
+    /// Recorded when an earlier execution's deadline cut them off, and taken out of the folder: they go on with their
+    /// samples, which `earlier.visits` has, and are recorded again.
+    std::vector<CellResult> cut_off = {};
 };
 
 struct ChosenOutcome : RunOutcome {

@@ -188,6 +188,24 @@ void RunWriter::append_cell(const CellResult& result) {
     cells_->append(dump_line(to_json(result)));
 }
 
+std::vector<CellResult> RunWriter::take_out_cut_off_cells() {
+    std::vector<CellResult> cut_off;
+    std::string kept;
+    for (CellResult& cell : read_run(folder_).cells) {
+        if (cell.stop == StopReason::time) {
+            cut_off.push_back(std::move(cell));
+        } else {
+            kept += dump_line(to_json(cell)) + "\n";
+        }
+    }
+    if (cut_off.empty()) return cut_off;
+    // samples.jsonl, which is open, keeps other processes out meanwhile.
+    cells_.reset();
+    write_text_file(folder_ / cells_file, kept);
+    cells_.emplace(folder_ / cells_file, LineFile::Start::continued);
+    return cut_off;
+}
+
 void RunWriter::append_samples(const RawSamples& samples) {
     Json json;
     json["cell"] = samples.cell;

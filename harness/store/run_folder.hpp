@@ -59,6 +59,9 @@ public:
     RunWriter(const std::filesystem::path& folder, const Json& run, Continue);
 
     void append_cell(const CellResult& result);
+    /// Takes the cells out of cells.jsonl that sampling ended for because the time was over (StopReason::time), for a
+    /// run that goes on with them. Their samples stay in the folder.
+    std::vector<CellResult> take_out_cut_off_cells();
     void append_samples(const RawSamples& samples);
     void append_round(const RoundRecord& round);
     /// Cells, samples, rounds, crashes and images of another run as they stand there. Last lines that were cut short

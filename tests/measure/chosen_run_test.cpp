@@ -140,6 +140,33 @@ TEST_F(ChosenCellsOfARun, WhereTheTimeEndsWhatWasSampledIsKeptAndTheOthersStayOp
     EXPECT_FALSE(results.contains("cell 5"));
 }
 
+TEST_F(ChosenCellsOfARun, WhatTheTimeCutOffGoesOnWithItsSamples) {
+    {
+        FakeCells source(cells);
+        ScriptedChooser chooser({{0, 3}, {0}, {0}, {0}});
+        CountingClock clock;
+        options.deadline_s = 20;
+        RunWriter writer(path, Json::object());
+        ASSERT_TRUE(run(source, chooser, writer, clock).is_time_over);
+    }
+    const std::size_t had = stored().at("cell 0").time.at("draw").rounds;
+    ASSERT_LT(had, 3U);
+    ASSERT_EQ(stored().at("cell 3").stop, StopReason::time);
+    RunWriter writer(path, Json::object(), RunWriter::Continue{});
+    options.deadline_s = 1e18;
+    options.cut_off = writer.take_out_cut_off_cells();
+    options.earlier = read_earlier_work(path, "draw");
+    options.finished = read_run(path).cells;
+    FakeCells source(cells);
+    ScriptedChooser chooser({{0}, {0}});
+    run(source, chooser, writer);
+    EXPECT_THAT(source.made, ElementsAre("cell 0"));
+    EXPECT_THAT(chooser.rounds_seen.at(0), ElementsAre(had, had + 1, had + 2));
+    EXPECT_EQ(chooser.results.at(3), CellStatus::ok);
+    EXPECT_EQ(stored().at("cell 0").time.at("draw").rounds, had + 2);
+    EXPECT_EQ(stored().at("cell 3").stop, StopReason::narrowed);
+}
+
 TEST_F(ChosenCellsOfARun, InterruptedItRecordsNothingAndGoesOnWithItsSamples) {
     {
         FakeCells source(cells);
