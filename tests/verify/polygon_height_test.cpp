@@ -45,11 +45,12 @@ TEST_F(PolygonHeight, ExactTechniquesAgreeWithTheTruth) {
 
 TEST_F(PolygonHeight, TessellationDrawsTheSameSurface) {
     const CoordinateScene rock(device(), procedural("rock", {64, 64}));
-    for (const Boundary boundary : {Boundary::clip, Boundary::repeat}) {
-        const TruthComparison found =
-            compare("tessellation", {}, rock, view_at(0.5, Projection::perspective, boundary));
-        EXPECT_LT(found.errors.uv_texels->p50, 0.05);
-        EXPECT_LT(found.errors.missed, 0.01);
+    for (const Projection projection : {Projection::parallel, Projection::perspective}) {
+        for (const Boundary boundary : {Boundary::clip, Boundary::repeat}) {
+            const TruthComparison found = compare("tessellation", {}, rock, view_at(0.5, projection, boundary));
+            EXPECT_LT(found.errors.uv_texels->p50, 0.05) << to_string(projection) << to_string(boundary);
+            EXPECT_LT(found.errors.missed, 0.01) << to_string(projection) << to_string(boundary);
+        }
     }
 }
 

@@ -16,7 +16,7 @@ struct Shadowed {
 class ShippedShadows : public VerifyTest {
 protected:
     static Shadowed draw(const Technique& technique, const std::string& map_name, const SelfShadow& self_shadow,
-                         const ParameterValues& changed = {}) {
+                         const ParameterValues& changed = {}, double polygon_height = 1) {
         const HeightMap map = procedural(map_name, {64, 64});
         const Albedo albedo = load_albedo(HeightMapSource{}, map);
         const SceneOnDevice scene(device(), map, albedo);
@@ -24,6 +24,7 @@ protected:
         view.resolution = {64, 64};
         view.relief.boundary = Boundary::repeat;
         view.self_shadow = self_shadow;
+        set_polygon_height(view, polygon_height);
         Lighting lighting;
         lighting.lights = {{{-1, 0.4, 0.4}}};
         Renderer renderer(device(), technique, with_values(technique.manifest, changed), scene, view, lighting);
@@ -62,6 +63,16 @@ TEST_F(ShippedShadows, OfExactSearchesAreThoseOfTheTruth) {
         EXPECT_GT(exact.errors.compared, 1000U) << map;
         EXPECT_LE(exact.errors.false_shadow, 0.001) << map;
         EXPECT_LE(exact.errors.missed_shadow, 0.002) << map;
+    }
+}
+
+/// Light reaches what lies above a polygon as it reaches what lies beneath it.
+TEST_F(ShippedShadows, OfExactSearchesAreThoseOfTheTruthAbovePolygonsToo) {
+    for (const double polygon_height : {0.5, 0.0}) {
+        const Shadowed exact = draw(shipped("max_mip"), "rock", hard_and_exact(), {}, polygon_height);
+        EXPECT_GT(exact.errors.compared, 1000U) << polygon_height;
+        EXPECT_LE(exact.errors.false_shadow, 0.001) << polygon_height;
+        EXPECT_LE(exact.errors.missed_shadow, 0.002) << polygon_height;
     }
 }
 
